@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRAINT_PLANAR_CURVE_H
+#define LOCUS_CONSTRAINT_PLANAR_CURVE_H
+
+#include <locus/function/complex_polynomial.h>
+#include <locus/shape/carrier.h>
+#include <locus/shape/frame.h>
+
+namespace locus {
+
+/// A planar curve piece in complex notation, p = X + iY, as the constraints need it, over a ring T in the scaled
+/// basis. `tangent` is D1 = p'w - pw' up to a positive real factor; on a circle z = p - centre·w stands for it.
+template <class T>
+struct Complex_curve {
+  Complex_polynomial<T> point, weight, tangent;
+  bool is_circle = false;
+  Complex_polynomial<T> centre_to_point; ///< z, on a circle
+  std::array<T, 2> centre{T(0), T(0)};   ///< relative to the current origin
+  T squared_radius = T(0);
+};
+
+namespace detail {
+
+/// D1 = p'w - pw' of a rational curve at its true degree 2d-2: with p = Σ b_i B_i and the shifted and the truncated
+/// control points P⁺ = (b_1…b_d), P⁻ = (b_0…b_{d-1}) in degree d-1, Euler's relation gives D1 = d·(P⁺W⁻ - P⁻W⁺).
+inline Bernstein<Rational, 1> first_derivative_numerator(const Bernstein<Rational, 1>& p, const Bernstein<Rational, 1>& w)
+{
+  if (w.degree() == 0) return multiply(derivative(p), Rational(w[0]));
+  const auto part = [](const Bernstein<Rational, 1>& f, std::size_t first) {
+    const auto n = static_cast<std::size_t>(f.degree());
+    const auto begin = f.coefficients().begin() + static_cast<std::ptrdiff_t>(first);
+    return Bernstein<Rational, 1>(Degrees<1>{f.degree() - 1}, {begin, begin + static_cast<std::ptrdiff_t>(n)});
+  };
+  return multiply(subtract(multiply(part(p, 1), part(w, 0)), multiply(part(p, 0), part(w, 1))), Rational(w.degree()));
+}
+
+} // namespace detail
+
+/// A planar curve piece in frame coordinates with everything the constraints are built from: exact, as integers and
+/// as enclosures. Immutable after construction.
+class Planar_curve {
+public:
+  /// Throws Unsupported_feature for a cusp inside the piece.
+  Planar_curve(const Curve_piece<2>& original, const Frame<2>& frame) : carrier_(carrier_of(original))
+  {
+    const Curve_piece<2> piece = in_frame(original, frame);
+    numerator_ = piece.numerator;
+    weight_ = piece.weight;
+    for (std::size_t v = 0; v < 2; ++v) tangent_[v] = detail::first_derivative_numerator(numerator_[v], weight_);
+    regularise_tangent();
+    if (carrier_.kind == Carrier::Kind::circle) {
+      for (std::size_t v = 0; v < 2; ++v) carrier_.centre[v] = frame.into(carrier_.centre[v], v);
+      Rational& r2 = carrier_.squared_radius;
+      if (frame.exponent >= 0) mpq_div_2exp(r2.get_mpq_t(), r2.get_mpq_t(), 2 * static_cast<mp_bitcnt_t>(frame.exponent));
+      else mpq_mul_2exp(r2.get_mpq_t(), r2.get_mpq_t(), 2 * static_cast<mp_bitcnt_t>(-frame.exponent));
+    }
+    for (std::size_t v = 0; v < 2; ++v) {
+      numerator_enclosure_[v] = enclosing(numerator_[v]);
+      tangent_enclosure_[v] = enclosing(tangent_[v]);
+    }
+    weight_enclosure_ = enclosing(weight_);
+  }
+
+  const Carrier& carrier() const { return carrier_; }
+  const Bernstein<Rational, 1>& numerator(std::size_t axis) const { return numerator_[axis]; }
+  const Bernstein<Rational, 1>& weight() const { return weight_; }
+  const Bernstein<Rational, 1>& tangent(std::size_t axis) const { return tangent_[axis]; }
+  const Bernstein<Interval, 1>& numerator_enclosure(std::size_t axis) const { return numerator_enclosure_[axis]; }
+  const Bernstein<Interval, 1>& weight_enclosure() const { return weight_enclosure_; }
+
+  /// On [lo, hi] of the unit interval, seen from `origin` (upward rounding needed).
+  Complex_curve<Interval> local(double lo, double hi, const std::array<double, 2>& origin) const
+  {
+    const auto part = [&](const Bernstein<Interval, 1>& f) {
+      Bernstein<Interval, 1> g = lo == 0 && hi == 1 ? f : restrict_to(f, 0, Interval(lo), Interval(hi));
+      return scaled_by_binomials(std::move(g), false).coefficients();
+    };
+    Complex_curve<Interval> c;
+    c.weight = real_polynomial(part(weight_enclosure_));
+    c.point = {part(numerator_enclosure_[0]), part(numerator_enclosure_[1])};
+    c.tangent = {part(tangent_enclosure_[0]), part(tangent_enclosure_[1])};
+    if (is_circle()) {
+      c.centre_to_point = shifted(c.point, c.weight, locus::enclosing(carrier_.centre[0]), locus::enclosing(carrier_.centre[1]));
+      c.squared_radius = locus::enclosing(carrier_.squared_radius);
+      c.is_circle = true;
+      for (std::size_t v = 0; v < 2; ++v) c.centre[v] = locus::enclosing(carrier_.centre[v]) - Interval(origin[v]);
+    }
+    if (origin[0] != 0 || origin[1] != 0) c.point = shifted(c.point, c.weight, Interval(origin[0]), Interval(origin[1]));
+    return c;
+  }
+
+  /// On the whole unit interval over the rationals.
+  Complex_curve<Rational> exact() const
+  {
+    const auto scaled = [](const Bernstein<Rational, 1>& f) { return scaled_by_binomials(f, false).coefficients(); };
+    Complex_curve<Rational> c;
+    c.weight = real_polynomial(scaled(weight_));
+    c.point = {scaled(numerator_[0]), scaled(numerator_[1])};
+    c.tangent = {scaled(tangent_[0]), scaled(tangent_[1])};
+    if (is_circle()) {
+      c.is_circle = true;
+      c.centre = carrier_.centre;
+      c.squared_radius = carrier_.squared_radius;
+      c.centre_to_point = shifted(c.point, c.weight, carrier_.centre[0], carrier_.centre[1]);
+    }
+    return c;
+  }
+
+  bool is_circle() const { return carrier_.kind == Carrier::Kind::circle; }
+  bool is_line() const { return carrier_.kind == Carrier::Kind::line; }
+
+private:
+  static Bernstein<Interval, 1> enclosing(const Bernstein<Rational, 1>& f)
+  {
+    return converted<Interval>(f, [](const Rational& c) { return locus::enclosing(c); });
+  }
+
+  /// p - (x + iy)·w
+  template <class T>
+  static Complex_polynomial<T> shifted(const Complex_polynomial<T>& p, const Complex_polynomial<T>& w, const T& x, const T& y)
+  {
+    return combine(p, multiply(w, x, y), -1);
+  }
+
+  static Curve_piece<2> in_frame(Curve_piece<2> piece, const Frame<2>& frame)
+  {
+    for (std::size_t v = 0; v < 2; ++v) {
+      Bernstein<Rational, 1>& x = piece.numerator[v];
+      x = subtract(x, multiply(piece.weight, frame.origin[v]));
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        if (frame.exponent >= 0) mpq_div_2exp(x[i].get_mpq_t(), x[i].get_mpq_t(), static_cast<mp_bitcnt_t>(frame.exponent));
+        else mpq_mul_2exp(x[i].get_mpq_t(), x[i].get_mpq_t(), static_cast<mp_bitcnt_t>(-frame.exponent));
+      }
+    }
+    return piece;
+  }
+
+  /// F3 depends on the tangent lines only, so real zeros of D1 are divided out: at an end (a doubled control point)
+  /// the limit direction remains; on a line a constant direction remains.
+  void regularise_tangent()
+  {
+    if (is_line()) {
+      reject_cusps(real_common_factor());
+      for (std::size_t v = 0; v < 2; ++v) tangent_[v] = Bernstein<Rational, 1>(Degrees<1>{0}, {carrier_.direction[v]});
+      return;
+    }
+    for (std::size_t v = 0; v < 2; ++v)
+      if (detail::all_of_one_sign(tangent_[v])) return;
+    const Integer_polynomial common = real_common_factor();
+    if (degree(common) < 1) return;
+    reject_cusps(common);
+    const Bernstein<Rational, 1> divisor = bernstein_form(common).rational();
+    const Rational half(1, 2);
+    const int sign = sgn(evaluate_at(divisor, half));
+    for (std::size_t v = 0; v < 2; ++v) tangent_[v] = multiply(divide_exactly(tangent_[v], divisor), Rational(sign));
+  }
+
+  Integer_polynomial real_common_factor() const
+  {
+    return gcd(monomial_form(Bernstein<Scaled_integer, 1>(tangent_[0])), monomial_form(Bernstein<Scaled_integer, 1>(tangent_[1])));
+  }
+
+  static void reject_cusps(const Integer_polynomial& common)
+  {
+    if (degree(common) < 1) return;
+    for (const auto& root : exact_roots(bernstein_form(common), Rational(0), Rational(1)).roots)
+      if (!(root.is_exact() && (root.lo == 0 || root.lo == 1)))
+        throw Unsupported_feature("a curve with a cusp inside its domain (near parameter " +
+                                  std::to_string(Rational((root.lo + root.hi) / 2).get_d()) + ")");
+  }
+
+  Carrier carrier_;
+  std::array<Bernstein<Rational, 1>, 2> numerator_, tangent_;
+  Bernstein<Rational, 1> weight_;
+  std::array<Bernstein<Interval, 1>, 2> numerator_enclosure_, tangent_enclosure_;
+  Bernstein<Interval, 1> weight_enclosure_;
+};
+
+} // namespace locus
+
+#endif

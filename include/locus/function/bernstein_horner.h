@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_FUNCTION_BERNSTEIN_HORNER_H
+#define LOCUS_FUNCTION_BERNSTEIN_HORNER_H
+
+#include <locus/function/binomial.h>
+#include <locus/number/bounded.h>
+
+namespace locus {
+
+namespace detail {
+
+/// Σ c_i·B_i^n(u) for 0 ≤ u ≤ 1 in O(n), without storage. `stride` steps through `c`.
+inline double horner_value(const double* c, int n, double u, std::size_t stride = 1)
+{
+  const bool low = u <= 0.5;
+  const double near = low ? 1 - u : u, ratio = (low ? u : 1 - u) / near;
+  double sum = 0, power = 1;
+  for (int i = n; i >= 0; --i) {
+    const int k = low ? i : n - i;
+    sum = sum * ratio + binomial<double>(n, k) * c[static_cast<std::size_t>(k) * stride];
+    power = i > 0 ? power * near : power;
+  }
+  return sum * power;
+}
+
+/// Rounding operations that `horner_value` can accumulate, relative to the greatest coefficient: every term is a mean
+/// weight times a coefficient, touched by at most this many roundings (binomials from row 57 on are rounded too).
+constexpr double horner_operations(int n) { return 5.0 * n + 8; }
+
+} // namespace detail
+
+} // namespace locus
+
+#endif

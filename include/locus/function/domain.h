@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_FUNCTION_DOMAIN_H
+#define LOCUS_FUNCTION_DOMAIN_H
+
+#include <locus/number/rational.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace locus {
+
+/// How two neighbouring pieces of a variable's domain meet. Continuity is that of the point x = p/w, not of its
+/// homogeneous form.
+enum class Joint_kind : unsigned char {
+  smooth, ///< C^k for the `order` k given with it
+  g1,     ///< tangent directions agree, their lengths do not
+  corner, ///< the tangent turns
+  seam,   ///< the two ends of a closed curve
+  pole    ///< the curve passes through infinity
+};
+
+struct Joint {
+  Joint_kind kind = Joint_kind::smooth;
+  int order = 0;
+};
+
+/// One span of a variable: the unit interval of a Bernstein form, mapped affinely onto [lo, hi]; or, for the
+/// projective pieces of an infinite domain, by u = lo/s (s from 0 to 1, lo = ±1) with `hi` or `lo` at infinity.
+struct Piece {
+  Rational lo = 0, hi = 1;
+  bool lo_infinite = false, hi_infinite = false;
+
+  bool is_finite() const { return !lo_infinite && !hi_infinite; }
+
+  /// The variable's value at local coordinate `s` in [0,1]; nothing where it is infinite.
+  std::optional<Rational> at(const Rational& s) const
+  {
+    if (is_finite()) return Rational(lo + s * (hi - lo));
+    const Rational t = hi_infinite ? Rational(1 - s) : s;
+    if (t == 0) return std::nullopt;
+    return Rational((hi_infinite ? lo : hi) / t);
+  }
+};
+
+/// The domain of one variable: pieces in order and the joints between them (the last joint, where there are as many
+/// as pieces, closes the chain).
+struct Chain {
+  std::vector<Piece> pieces = std::vector<Piece>(1);
+  std::vector<Joint> joints;
+
+  bool is_closed() const { return joints.size() == pieces.size(); }
+};
+
+/// The domain of D variables: a chain for each.
+template <int D>
+struct Domain {
+  std::array<Chain, static_cast<std::size_t>(D)> chains;
+
+  std::size_t cells() const
+  {
+    std::size_t n = 1;
+    for (const Chain& c : chains) n *= c.pieces.size();
+    return n;
+  }
+};
+
+/// A box inside the unit cell of a domain's piece. Its corners are dyadic, so doubles carry them exactly.
+template <int D>
+struct Box {
+  std::array<double, static_cast<std::size_t>(D)> lo{}, hi{};
+
+  static Box unit()
+  {
+    Box b;
+    b.hi.fill(1.0);
+    return b;
+  }
+  double width(int k) const { return hi[static_cast<std::size_t>(k)] - lo[static_cast<std::size_t>(k)]; }
+  double max_width() const
+  {
+    double w = 0;
+    for (int k = 0; k < D; ++k) w = std::max(w, width(k));
+    return w;
+  }
+};
+
+} // namespace locus
+
+#endif

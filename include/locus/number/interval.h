@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_NUMBER_INTERVAL_H
+#define LOCUS_NUMBER_INTERVAL_H
+
+#ifdef __FAST_MATH__
+#error "locus proves its answers with rounding errors: compile without -ffast-math"
+#endif
+
+#include <locus/number/rational.h>
+
+#include <CGAL/Interval_nt.h>
+#include <mpfr.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace locus {
+
+/// Interval arithmetic on doubles. `Interval_nt<false>` leaves the rounding mode to the caller: every operation on
+/// it must run inside `with_upward_rounding`.
+using Interval = CGAL::Interval_nt<false>;
+
+namespace detail {
+
+/// Runs `f` in a frame of its own, so that the compiler cannot move floating-point work across a change of mode.
+template <class F>
+[[gnu::noinline]] decltype(auto) call_out_of_line(F& f)
+{
+  return f();
+}
+
+[[gnu::noinline]] inline double opaque_sum(double a, double b)
+{
+  volatile double x = a, y = b;
+  return x + y;
+}
+
+inline bool rounding_mode_works()
+{
+  const double tiny = std::numeric_limits<double>::min();
+  CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
+  return opaque_sum(1.0, tiny) > 1.0 && opaque_sum(-1.0, tiny) > -1.0;
+}
+
+} // namespace detail
+
+/// Runs `f` with the processor rounding upward, as `Interval` needs, and restores the caller's mode, also when `f`
+/// throws. Entered once around a whole solve. Throws std::runtime_error if this build or processor ignores the mode.
+template <class F>
+[[gnu::noinline]] decltype(auto) with_upward_rounding(F&& f)
+{
+  static const bool works = detail::rounding_mode_works();
+  if (!works) throw std::runtime_error("locus: directed rounding does not work on this build; intervals would be wrong");
+  CGAL::Protect_FPU_rounding<true> upward(CGAL_FE_UPWARD);
+  return detail::call_out_of_line(f);
+}
+
+/// Runs `f` (a callback, input/output, a function of the mathematical library) with rounding to nearest inside a
+/// solve that rounds upward.
+template <class F>
+[[gnu::noinline]] decltype(auto) with_nearest_rounding(F&& f)
+{
+  CGAL::Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+  return detail::call_out_of_line(f);
+}
+
+inline Sign sign_of(const Interval& x)
+{
+  if (x.inf() > 0) return Sign::positive;
+  if (x.sup() < 0) return Sign::negative;
+  return x.inf() == 0 && x.sup() == 0 ? Sign::zero : Sign::unknown;
+}
+
+inline bool contains_zero(const Interval& x) { return !(x.inf() > 0) && !(x.sup() < 0); }
+inline double midpoint(const Interval& x) { return x.inf() + 0.5 * (x.sup() - x.inf()); }
+inline double magnitude(const Interval& x) { return std::max(-x.inf(), x.sup()); }
+inline double mignitude(const Interval& x) { return contains_zero(x) ? 0.0 : std::min(std::abs(x.inf()), std::abs(x.sup())); }
+inline double width(const Interval& x) { return x.sup() - x.inf(); }
+inline Interval hull(const Interval& a, const Interval& b)
+{
+  return Interval(std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup()));
+}
+inline bool overlap(const Interval& a, const Interval& b) { return a.inf() <= b.sup() && b.inf() <= a.sup(); }
+inline bool inside(const Interval& a, const Interval& b) { return b.inf() < a.inf() && a.sup() < b.sup(); }
+
+/// The tightest interval of doubles around a rational; one double where the rational is one.
+/// Independent of the rounding mode.
+inline Interval enclosing(const Rational& x)
+{
+  mpfr_t lo, hi;
+  mpfr_init2(lo, 53);
+  mpfr_init2(hi, 53);
+  mpfr_set_q(lo, x.get_mpq_t(), MPFR_RNDD);
+  mpfr_set_q(hi, x.get_mpq_t(), MPFR_RNDU);
+  const Interval enclosure(mpfr_get_d(lo, MPFR_RNDD), mpfr_get_d(hi, MPFR_RNDU));
+  mpfr_clear(lo);
+  mpfr_clear(hi);
+  return enclosure;
+}
+
+/// A double next to a rational (rounded to nearest).
+inline double nearest_double(const Rational& x)
+{
+  mpfr_t y;
+  mpfr_init2(y, 53);
+  mpfr_set_q(y, x.get_mpq_t(), MPFR_RNDN);
+  const double d = mpfr_get_d(y, MPFR_RNDN);
+  mpfr_clear(y);
+  return d;
+}
+
+} // namespace locus
+
+#endif

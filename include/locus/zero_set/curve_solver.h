@@ -1,0 +1,825 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_ZERO_SET_CURVE_SOLVER_H
+#define LOCUS_ZERO_SET_CURVE_SOLVER_H
+
+#include <locus/zero_set/curve_graph.h>
+#include <locus/zero_set/face_segments.h>
+#include <locus/zero_set/solve_control.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+namespace locus {
+namespace detail {
+
+/// Solves one equation in two variables on the unit cell: cuts until every cell is empty, a graph, or holds one
+/// crossing, then joins the arcs of the cells at the crossings that neighbours share.
+class Curve_solver {
+public:
+  Curve_solver(const System<1, 2>& system, const Solve_control& control, Claim_observer<2>* observer)
+    : system_(system), control_(control), observer_(observer), start_(std::chrono::steady_clock::now()),
+      tree_(*system.equations[0], graph_.statistics.filter), segments_(tree_)
+  {
+  }
+
+  Curve_graph run()
+  {
+    graph_.equation = system_.equations[0];
+    solve_causes();
+    Rung rung;
+    if (const Range_sign s = tree_.range_sign(0, rung); s == Range_sign::zero) {
+      graph_.identically_zero = true;
+      return std::move(graph_);
+    }
+    lay_out_unit_cell();
+    subdivide();
+    for (std::size_t k = 0; k < graph_cells_.size(); ++k) trace_graph_cell(graph_cells_[k], pivot_[k]);
+    for (std::size_t k = 0; k < node_cells_.size(); ++k) trace_node_cell(node_cells_[k], node_of_[k]);
+    for (const Index i : corner_cells_) note_boundary_corners(i);
+    insert_marks();
+    settle_vertices();
+    join_arcs();
+    keep_forms();
+    gather_statistics();
+    return std::move(graph_);
+  }
+
+private:
+  using Index = Cell_tree::Index;
+  using Faces = std::array<std::array<std::size_t, 2>, 2>; // [variable that is fixed][low, high]
+  static constexpr std::size_t no_special = static_cast<std::size_t>(-1);
+
+  /// Vertices are enclosed at least this tightly; exact bisection helps where doubles do not reach it.
+  static constexpr double vertex_width = 0x1p-43;
+
+  // ------------------------------------------------------------------------------------------------ causes
+
+  void solve_causes()
+  {
+    for (std::size_t c = 0; c < system_.causes.size(); ++c) {
+      const Cause<2>& cause = system_.causes[c];
+      Point_set solved = solve_points(cause.equations, control_);
+      graph_.statistics.point_cells += solved.cells;
+      for (Isolated_point& p : solved.points) {
+        p.cause = c;
+        if (is_explained(cause, p)) continue;
+        graph_.special.push_back(p);
+        Claim<2> claim;
+        claim.kind = Claim_kind::isolated_box;
+        claim.reason = cause.name;
+        for (std::size_t v = 0; v < 2; ++v) {
+          claim.box.lo[v] = p.box[v].inf();
+          claim.box.hi[v] = p.box[v].sup();
+        }
+        emit(claim);
+      }
+      for (const Box<2>& box : solved.undecided) cause_undecided_.push_back({c, box});
+    }
+  }
+
+  /// The point is the solution of an included cause: both lie where this cause has one solution only.
+  bool is_explained(const Cause<2>& cause, const Isolated_point& p) const
+  {
+    for (const Isolated_point& known : graph_.special) {
+      if (std::find(cause.includes.begin(), cause.includes.end(), known.cause) == cause.includes.end()) continue;
+      bool same = true;
+      for (std::size_t v = 0; v < 2; ++v)
+        same = same && p.unique_in.lo[v] < known.box[v].inf() && known.box[v].sup() < p.unique_in.hi[v];
+      if (same) return true;
+    }
+    return false;
+  }
+
+  bool is_crossing(const Isolated_point& p) const { return system_.causes[p.cause].proves == Claim_kind::crossing; }
+
+  static bool touches(const Isolated_point& p, const Box<2>& box)
+  {
+    for (std::size_t v = 0; v < 2; ++v)
+      if (p.box[v].sup() < box.lo[v] || p.box[v].inf() > box.hi[v]) return false;
+    return true;
+  }
+
+  // ------------------------------------------------------------------------------------------- subdivision
+
+  void lay_out_unit_cell()
+  {
+    Faces faces;
+    for (int v = 0; v < 2; ++v)
+      for (int side = 0; side < 2; ++side)
+        faces[static_cast<std::size_t>(v)][static_cast<std::size_t>(side)] =
+          segments_.add(v, side, 0, 1, true, 0, side == 1);
+    faces_.assign(1, faces);
+  }
+
+  void subdivide()
+  {
+    std::vector<Index> level{0}, next;
+    while (!level.empty()) {
+      for (const Index i : level) {
+        if (const char* limit = limit_reached(i)) {
+          give_up(i, limit);
+          continue;
+        }
+        ++graph_.statistics.cells;
+        if (!decide(i) && !cut(i, next)) give_up(i, "no admissible cut");
+      }
+      level.swap(next);
+      next.clear();
+      if (control_.progress)
+        with_nearest_rounding([&] { control_.progress(graph_.statistics.cells, level.size()); });
+    }
+  }
+
+  const char* limit_reached(Index i) const
+  {
+    if (graph_.statistics.cells >= control_.max_cells) return "cell limit";
+    if (tree_[i].depth >= 2 * control_.max_depth) return "depth limit";
+    if (control_.is_cancelled()) return "cancelled";
+    if (tree_[i].exact && mpz_sizeinbase(tree_[i].exact->values()[0].get_mpz_t(), 2) > control_.max_bits) return "bit limit";
+    if ((graph_.statistics.cells & 63u) == 0 && std::isfinite(control_.max_seconds) &&
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() > control_.max_seconds)
+      return "time limit";
+    return nullptr;
+  }
+
+  void give_up(Index i, const char* reason)
+  {
+    ++graph_.statistics.leaves;
+    undecided_cells_.push_back(i);
+    undecided_reason_.push_back(reason);
+    Claim<2> claim;
+    claim.kind = Claim_kind::undecided;
+    claim.box = tree_[i].box;
+    claim.reason = reason;
+    emit(claim);
+  }
+
+  bool decide(Index i)
+  {
+    Claim<2> claim;
+    claim.box = tree_[i].box;
+    const Range_sign s = tree_.range_sign(i, claim.rung);
+    if (is_strict(s) || is_zero_only_at_corners(i, s)) {
+      if (!is_strict(s)) corner_cells_.push_back(i);
+      claim.kind = Claim_kind::empty;
+      return settle(claim);
+    }
+    std::size_t crossings = 0, last = no_special;
+    for (std::size_t k = 0; k < graph_.special.size(); ++k)
+      if (is_crossing(graph_.special[k]) && touches(graph_.special[k], claim.box)) {
+        ++crossings;
+        last = k;
+      }
+    if (crossings > 1) return false;
+    if (crossings == 1) {
+      if (tree_[i].box.max_width() > control_.node_width || !is_node_cell(i, last)) return false;
+      node_cells_.push_back(i);
+      node_of_.push_back(last);
+      claim.kind = Claim_kind::crossing;
+      return settle(claim);
+    }
+    for (int v = 0; v < 2; ++v) {
+      const int pivot = preferred_pivot(i) ^ v;
+      if (const Range_sign d = tree_.derivative_sign(i, pivot, claim.rung); is_strict(d)) {
+        graph_cells_.push_back(i);
+        pivot_.push_back({pivot, d == Range_sign::positive ? Sign::positive : Sign::negative});
+        claim.kind = Claim_kind::graph;
+        claim.variable = pivot;
+        return settle(claim);
+      }
+    }
+    return false;
+  }
+
+  bool settle(const Claim<2>& claim)
+  {
+    ++graph_.statistics.leaves;
+    emit(claim);
+    return true;
+  }
+
+  void emit(const Claim<2>& claim)
+  {
+    if (observer_) observer_->on_claim(claim);
+  }
+
+  /// The variable along which the polynomial varies more steadily.
+  int preferred_pivot(Index i) const
+  {
+    double score[2];
+    for (int v = 0; v < 2; ++v) {
+      double lo, hi;
+      tree_.difference_range(i, v, lo, hi);
+      score[v] = lo > 0 || hi < 0 ? std::min(std::abs(lo), std::abs(hi)) / std::max(std::abs(lo), std::abs(hi)) : -1;
+    }
+    return score[1] > score[0] ? 1 : 0;
+  }
+
+  /// No strict sign, but zero coefficients only at corners with strict ones beside them: then the zero set meets the
+  /// cell in those corners at most, and its arcs belong to the neighbours.
+  bool is_zero_only_at_corners(Index i, Range_sign s)
+  {
+    if (s != Range_sign::weak_negative && s != Range_sign::weak_positive) return false;
+    const auto& f = tree_.exact(i);
+    std::size_t zeros = 0, corner_zeros = 0;
+    for (std::size_t k = 0; k < f.size(); ++k) zeros += f.sign(k) == Sign::zero;
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b) corner_zeros += tree_.corner_sign(i, a, b) == Sign::zero;
+    return f.degree(0) > 0 && f.degree(1) > 0 && zeros == corner_zeros;
+  }
+
+  /// Cuts where no special point lies and the equation does not vanish along the cut.
+  bool cut(Index i, std::vector<Index>& next)
+  {
+    const Box<2> box = tree_[i].box;
+    const int first = cut_variable(i);
+    for (int attempt = 0; attempt < 2; ++attempt) {
+      const int variable = first ^ attempt;
+      const auto v = static_cast<std::size_t>(variable);
+      for (double s : {0.5, 0.4375, 0.5625, 0.375, 0.625, 0.46875, 0.53125}) {
+        const double at = box.lo[v] + s * box.width(variable);
+        if (!is_dyadic_cut(box, v, at) || meets_special(box, v, at)) continue;
+        if (s == 0.5 || !splits_off_nothing(box, v, at)) {
+          if (cut_at(i, variable, at, next)) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  static bool splits_off_nothing(const Box<2>& box, std::size_t v, double at)
+  {
+    return !(box.lo[v] < at && at < box.hi[v]);
+  }
+
+  /// The cut has to be an exact double, far enough from the last bit.
+  static bool is_dyadic_cut(const Box<2>& box, std::size_t v, double at)
+  {
+    return box.lo[v] < at && at < box.hi[v] && box.hi[v] - box.lo[v] > 0x1p-44;
+  }
+
+  bool meets_special(const Box<2>& box, std::size_t v, double at) const
+  {
+    const double margin = 0x1p-6 * (box.hi[v] - box.lo[v]);
+    for (const Isolated_point& p : graph_.special)
+      if (touches(p, box) && p.box[v].inf() - margin <= at && at <= p.box[v].sup() + margin && p.face[v] < 0) return true;
+    return false;
+  }
+
+  int cut_variable(Index i) const
+  {
+    double spread[2];
+    for (int v = 0; v < 2; ++v) {
+      double lo, hi;
+      tree_.difference_range(i, v, lo, hi);
+      spread[v] = tree_.degrees()[static_cast<std::size_t>(v)] * std::max(std::abs(lo), std::abs(hi));
+    }
+    const Box<2>& box = tree_[i].box;
+    if (box.width(0) > 8 * box.width(1)) return 0;
+    if (box.width(1) > 8 * box.width(0)) return 1;
+    return spread[1] > spread[0] ? 1 : 0;
+  }
+
+  bool cut_at(Index i, int variable, double at, std::vector<Index>& next)
+  {
+    const auto v = static_cast<std::size_t>(variable), w = 1 - v;
+    const Index low = tree_.cut(i, variable, at), high = low + 1;
+    if (vanishes_on_high_face(low, variable)) { // a component runs along the cut: choose another
+      tree_.undo_cut(i);
+      return false;
+    }
+    const Box<2>& box = tree_[i].box;
+    const std::size_t shared = segments_.add(variable, at, box.lo[w], box.hi[w], false, low, true);
+    const Faces parent = faces_[i];
+    faces_.resize(tree_.size());
+    faces_[low] = faces_[high] = parent;
+    faces_[low][v][1] = shared;
+    faces_[high][v][0] = shared;
+    next.push_back(low);
+    next.push_back(high);
+    Claim<2> claim;
+    claim.kind = Claim_kind::split;
+    claim.box = box;
+    claim.variable = variable;
+    claim.at = at;
+    emit(claim);
+    return true;
+  }
+
+  bool vanishes_on_high_face(Index cell, int variable)
+  {
+    const auto f = face(tree_.bounded_form(cell), variable, true);
+    for (std::size_t k = 0; k < f.size(); ++k)
+      if (is_strict(sign_of(f[k]))) return false;
+    return face(tree_.exact(cell), variable, true).is_zero();
+  }
+
+  // ------------------------------------------------------------------------------------------------- nodes
+
+  /// Design's three conditions: the cause proves a point with F = 0 and ∇F = 0; a dominant Hessian makes it the only
+  /// critical point of the cell, of degree -1; and the boundary has exactly 2(1-(-1)) = 4 crossings.
+  bool is_node_cell(Index i, std::size_t special)
+  {
+    const Isolated_point& p = graph_.special[special];
+    if (p.on_boundary()) return false;
+    const Box<2>& box = tree_[i].box;
+    for (std::size_t v = 0; v < 2; ++v)
+      if (!(box.lo[v] < p.box[v].inf() && p.box[v].sup() < box.hi[v])) return false;
+    if (!has_dominant_indefinite_hessian(system_.equations[0]->enclosure(box))) return false;
+    bool simple = true;
+    return boundary_crossings(i, simple).size() == 4 && simple;
+  }
+
+  static Interval range(const Bernstein<Interval, 2>& f)
+  {
+    Interval r = f[0];
+    for (const Interval& c : f.coefficients()) r = hull(r, c);
+    return r;
+  }
+
+  static bool has_dominant_indefinite_hessian(const Bernstein<Interval, 2>& f)
+  {
+    const auto ft = derivative(f, 0), fr = derivative(f, 1);
+    const Interval a = range(derivative(ft, 0)), b = range(derivative(ft, 1)), d = range(derivative(fr, 1));
+    const double ma = midpoint(a), mb = midpoint(b), md = midpoint(d), det = ma * md - mb * mb;
+    if (!(det < 0) || !std::isfinite(1 / det)) return false;
+    const double y[2][2] = {{md / det, -mb / det}, {-mb / det, ma / det}};
+    for (int r = 0; r < 2; ++r) {
+      const Interval m0 = Interval(y[r][0]) * a + Interval(y[r][1]) * b, m1 = Interval(y[r][0]) * b + Interval(y[r][1]) * d;
+      if (!(mignitude(r == 0 ? m0 : m1) > magnitude(r == 0 ? m1 : m0))) return false;
+    }
+    return (a * d - b * b).sup() < 0;
+  }
+
+  /// Vertices where the zero set meets the cell's boundary, counterclockwise from the low corner; `simple` is false
+  /// where it does not cross there transversally.
+  std::vector<std::size_t> boundary_crossings(Index i, bool& simple)
+  {
+    std::vector<std::size_t> found;
+    const auto walk = [&](int fixed_variable, int side, bool forward) {
+      Face_segment& s = segments_.solved(face_of(i, fixed_variable, side));
+      const auto w = static_cast<std::size_t>(1 - fixed_variable);
+      const double a = tree_[i].box.lo[w], b = tree_[i].box.hi[w];
+      if (s.set.identically_zero || !s.set.complete) {
+        simple = false;
+        return;
+      }
+      std::vector<std::size_t> here;
+      for (std::size_t r = segments_.lower_bound(s, a); r < s.set.roots.size() && segments_.compare(s, r, b) <= 0; ++r) {
+        if (s.set.roots[r].multiplicity != 1) simple = false;
+        here.push_back(vertex_on_face(i, fixed_variable, side, r));
+      }
+      if (!forward) std::reverse(here.begin(), here.end());
+      for (const std::size_t v : here)
+        if (std::find(found.begin(), found.end(), v) == found.end()) found.push_back(v);
+    };
+    walk(1, 0, true);
+    walk(0, 1, true);
+    walk(1, 1, false);
+    walk(0, 0, false);
+    return found;
+  }
+
+  void trace_node_cell(Index i, std::size_t special)
+  {
+    const Isolated_point& p = graph_.special[special];
+    Graph_vertex node;
+    node.kind = Graph_vertex::Kind::node;
+    node.at = p.box;
+    node.cause = static_cast<int>(special);
+    const std::size_t n = add_vertex(node);
+    bool simple = true;
+    for (const std::size_t v : boundary_crossings(i, simple)) {
+      graph_.vertices[n].half_branches.push_back(graph_.pieces.size());
+      Graph_piece piece;
+      piece.cell = i;
+      piece.is_half_branch = true;
+      piece.from = n;
+      piece.to = v;
+      graph_.pieces.push_back(piece);
+    }
+  }
+
+  // ------------------------------------------------------------------------------------------- graph cells
+
+  std::size_t face_of(Index i, int variable, int side) const
+  {
+    return faces_[i][static_cast<std::size_t>(variable)][static_cast<std::size_t>(side)];
+  }
+
+  std::size_t add_vertex(const Graph_vertex& v)
+  {
+    graph_.vertices.push_back(v);
+    return graph_.vertices.size() - 1;
+  }
+
+  /// The vertex of root `r` on a face of cell `i`; where the root is a corner of the cell, the one that the other
+  /// segment through the corner may already hold.
+  std::size_t vertex_on_face(Index i, int fixed_variable, int side, std::size_t r)
+  {
+    const std::size_t id = face_of(i, fixed_variable, side);
+    Face_segment& s = segments_.solved(id);
+    const auto w = static_cast<std::size_t>(1 - fixed_variable);
+    int& vertex = s.vertex[r];
+    int* other = nullptr;
+    bool on_boundary = s.on_boundary;
+    if (const auto& root = s.set.roots[r]; root.is_exact()) {
+      for (int end = 0; end < 2; ++end) {
+        if (root.lo != (end ? tree_[i].box.hi[w] : tree_[i].box.lo[w])) continue;
+        Face_segment& across = segments_.solved(face_of(i, 1 - fixed_variable, end));
+        on_boundary = on_boundary || across.on_boundary;
+        if (across.set.identically_zero) continue;
+        const std::size_t q = segments_.lower_bound(across, s.fixed);
+        if (q < across.set.roots.size() && segments_.compare(across, q, s.fixed) == 0) other = &across.vertex[q];
+      }
+    }
+    if (vertex < 0 && other) vertex = *other;
+    if (vertex < 0) {
+      Graph_vertex v;
+      v.kind = on_boundary ? Graph_vertex::Kind::boundary : Graph_vertex::Kind::crossing;
+      vertex = static_cast<int>(add_vertex(v));
+      where_.push_back({});
+    }
+    where_.resize(graph_.vertices.size());
+    where_[static_cast<std::size_t>(vertex)] = Place{id, r};
+    if (on_boundary) graph_.vertices[static_cast<std::size_t>(vertex)].kind = Graph_vertex::Kind::boundary;
+    if (other) *other = vertex;
+    return static_cast<std::size_t>(vertex);
+  }
+
+  /// A vertex at a corner of the cell, for a face along which the equation vanishes identically.
+  std::size_t corner_vertex(Index i, int variable, int side, int end)
+  {
+    Face_segment& across = segments_.solved(face_of(i, 1 - variable, end));
+    const double at = segments_[face_of(i, variable, side)].fixed;
+    const std::size_t q = segments_.lower_bound(across, at);
+    if (q < across.set.roots.size() && segments_.compare(across, q, at) == 0)
+      return vertex_on_face(i, 1 - variable, end, q);
+    throw std::logic_error("locus: a face of zeros ends at a corner that is no zero");
+  }
+
+  /// Zeros at the cell's corners on the domain's boundary become vertices even where no arc of this cell ends there:
+  /// a curve that touches the boundary from outside has that point in the domain.
+  void note_boundary_corners(Index i)
+  {
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b) {
+        const int side[2] = {a, b};
+        for (int v = 0; v < 2; ++v) {
+          if (!segments_[face_of(i, v, side[v])].on_boundary || tree_.corner_sign(i, a, b) != Sign::zero) continue;
+          Face_segment& s = segments_.solved(face_of(i, v, side[v]));
+          if (s.set.identically_zero || !s.set.complete) continue;
+          const auto w = static_cast<std::size_t>(1 - v);
+          const double at = side[w] ? tree_[i].box.hi[w] : tree_[i].box.lo[w];
+          const std::size_t r = segments_.lower_bound(s, at);
+          if (r < s.set.roots.size() && segments_.compare(s, r, at) == 0) vertex_on_face(i, v, side[v], r);
+        }
+      }
+  }
+
+  struct Side {
+    Face_segment* segment = nullptr;
+    std::size_t id = 0, next = 0; ///< next root
+    Sign sign = Sign::zero;       ///< sign just right of the current place
+  };
+
+  Side start_side(Index i, int pivot, int side, double a)
+  {
+    Side s;
+    s.id = face_of(i, pivot, side);
+    s.segment = &segments_.solved(s.id);
+    if (s.segment->set.identically_zero) return s;
+    s.next = segments_.lower_bound(*s.segment, a);
+    if (s.next < s.segment->set.roots.size() && segments_.compare(*s.segment, s.next, a) == 0) ++s.next;
+    s.sign = s.segment->set.gaps[s.next];
+    return s;
+  }
+
+  /// In a graph cell with pivot p the equation is strictly monotone in x_p, so above each base value the curve is
+  /// inside exactly where the equation has opposite signs on the two p-faces. Walks along the base through the
+  /// roots on those faces and records each stretch between two of them.
+  void trace_graph_cell(Index i, std::pair<int, Sign> pivot_and_slope)
+  {
+    const int pivot = pivot_and_slope.first;
+    const Sign slope = pivot_and_slope.second;
+    const auto base = static_cast<std::size_t>(1 - pivot);
+    const double a = tree_[i].box.lo[base], b = tree_[i].box.hi[base];
+    std::array<Side, 2> sides{start_side(i, pivot, 0, a), start_side(i, pivot, 1, a)};
+    for (const Side& s : sides)
+      if (!s.segment->set.complete) return leave_open(i);
+    for (int side = 0; side < 2; ++side)
+      if (sides[static_cast<std::size_t>(side)].segment->set.identically_zero) {
+        add_piece(i, static_cast<int>(base), corner_vertex(i, pivot, side, 0), corner_vertex(i, pivot, side, 1));
+        return;
+      }
+    const auto inside = [&] { return sides[0].sign == opposite(slope) && sides[1].sign == slope; };
+
+    note_boundary_corners(i);
+    std::size_t from = no_special;
+    if (inside()) {
+      from = end_vertex(i, pivot, 0);
+      if (from == no_special) return leave_open(i);
+    }
+    for (;;) {
+      const int side = next_event(sides, b);
+      if (side == -2) return leave_open(i);
+      if (side < 0) break;
+      Side& s = sides[static_cast<std::size_t>(side)];
+      const bool was_inside = inside();
+      const std::size_t r = s.next++;
+      if (segments_.compare(*s.segment, r, b) == 0) continue; // a corner: the face across the base takes it
+      s.sign = s.segment->set.gaps[s.next];
+      if (!was_inside && !inside()) {
+        if (s.segment->on_boundary) vertex_on_face(i, pivot, side, r);
+        continue;
+      }
+      const std::size_t v = vertex_on_face(i, pivot, side, r);
+      if (was_inside) add_piece(i, static_cast<int>(base), from, v);
+      from = v;
+    }
+    if (inside()) {
+      const std::size_t to = end_vertex(i, pivot, 1);
+      if (to == no_special) return leave_open(i);
+      add_piece(i, static_cast<int>(base), from, to);
+    }
+  }
+
+  void add_piece(Index i, int base, std::size_t from, std::size_t to)
+  {
+    Graph_piece p;
+    p.cell = i;
+    p.base = base;
+    p.from = from;
+    p.to = to;
+    graph_.pieces.push_back(p);
+  }
+
+  void leave_open(Index i)
+  {
+    undecided_cells_.push_back(i);
+    undecided_reason_.push_back("roots on a face closer than doubles can part");
+  }
+
+  /// Vertex where the curve enters (end 0) or leaves (end 1) the cell through the face across the base variable.
+  std::size_t end_vertex(Index i, int pivot, int end)
+  {
+    const int base = 1 - pivot;
+    Face_segment& s = segments_.solved(face_of(i, base, end));
+    if (!s.set.complete || s.set.identically_zero) return no_special;
+    const auto p = static_cast<std::size_t>(pivot);
+    const double lo = tree_[i].box.lo[p], hi = tree_[i].box.hi[p];
+    const std::size_t r = segments_.lower_bound(s, lo);
+    if (r >= s.set.roots.size() || segments_.compare(s, r, hi) > 0)
+      throw std::logic_error("locus: a graph cell's arc does not reach the face it must cross");
+    return vertex_on_face(i, base, end, r);
+  }
+
+  /// Which of the two p-faces has the next root not beyond b: 0, 1, -1 for none, -2 where doubles cannot tell.
+  int next_event(std::array<Side, 2>& sides, double b)
+  {
+    std::array<bool, 2> has{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      Side& s = sides[k];
+      has[k] = s.next < s.segment->set.roots.size() && segments_.compare(*s.segment, s.next, b) <= 0;
+    }
+    if (!has[0] || !has[1]) return has[0] ? 0 : has[1] ? 1 : -1;
+    bool certain = true;
+    const bool first = segments_.less({sides[0].id, sides[0].next}, {sides[1].id, sides[1].next}, certain);
+    if (!certain) return -2;
+    return first ? 0 : 1;
+  }
+
+  // ------------------------------------------------------------------------------------------------- marks
+
+  struct Place {
+    std::size_t segment = no_special, root = 0;
+  };
+
+  Interval position_along(const Graph_vertex& v, int variable) const { return v.at[static_cast<std::size_t>(variable)]; }
+
+  void locate_vertices()
+  {
+    for (std::size_t v = 0; v < graph_.vertices.size(); ++v) {
+      Graph_vertex& vertex = graph_.vertices[v];
+      if (vertex.kind == Graph_vertex::Kind::node || vertex.kind == Graph_vertex::Kind::mark) continue;
+      if (v >= where_.size() || where_[v].segment == no_special) throw std::logic_error("locus: a vertex without a place");
+      Face_segment& s = segments_[where_[v].segment];
+      auto& root = s.set.roots[where_[v].root];
+      refine_root(*s.polynomial, root, 1e-15, vertex_width);
+      vertex.at[static_cast<std::size_t>(s.fixed_variable)] = Interval(s.fixed);
+      vertex.at[static_cast<std::size_t>(1 - s.fixed_variable)] = Interval(root.lo, root.hi);
+    }
+  }
+
+  /// Puts the marks (solutions of causes that prove no singularity, but a pole of the map to the plane) on their arcs.
+  void insert_marks()
+  {
+    locate_vertices();
+    for (std::size_t k = 0; k < graph_.special.size(); ++k) {
+      const Isolated_point& p = graph_.special[k];
+      if (is_crossing(p)) continue;
+      if (!insert_mark(k)) {
+        Box<2> box;
+        for (std::size_t v = 0; v < 2; ++v) {
+          box.lo[v] = std::max(0.0, p.box[v].inf());
+          box.hi[v] = std::min(1.0, p.box[v].sup());
+        }
+        report_undecided({box, "cannot place a solution of " + system_.causes[p.cause].name + " on its arc"});
+      }
+    }
+  }
+
+  bool insert_mark(std::size_t k)
+  {
+    const Isolated_point p = graph_.special[k];
+    if (p.on_boundary()) return mark_boundary_vertex(k);
+    for (std::size_t q = 0; q < graph_.pieces.size(); ++q) {
+      const Graph_piece piece = graph_.pieces[q];
+      if (piece.is_half_branch || !touches(p, tree_[piece.cell].box)) continue;
+      const Interval x = p.box[static_cast<std::size_t>(piece.base)];
+      const Interval a = position_along(graph_.vertices[piece.from], piece.base);
+      const Interval b = position_along(graph_.vertices[piece.to], piece.base);
+      if (!(a.sup() < x.inf() && x.sup() < b.inf())) continue;
+      Graph_vertex mark;
+      mark.kind = Graph_vertex::Kind::mark;
+      mark.at = p.box;
+      mark.cause = static_cast<int>(k);
+      const std::size_t v = add_vertex(mark);
+      graph_.pieces[q].to = v;
+      Graph_piece rest = piece;
+      rest.from = v;
+      graph_.pieces.push_back(rest);
+      return true;
+    }
+    return false;
+  }
+
+  bool mark_boundary_vertex(std::size_t k)
+  {
+    const Isolated_point& p = graph_.special[k];
+    std::size_t found = no_special;
+    for (std::size_t v = 0; v < graph_.vertices.size(); ++v) {
+      const Graph_vertex& vertex = graph_.vertices[v];
+      if (vertex.kind != Graph_vertex::Kind::boundary) continue;
+      if (!overlap(vertex.at[0], p.box[0]) || !overlap(vertex.at[1], p.box[1])) continue;
+      if (found != no_special) return false;
+      found = v;
+    }
+    if (found == no_special) return false;
+    graph_.vertices[found].is_mark = true;
+    graph_.vertices[found].cause = static_cast<int>(k);
+    return true;
+  }
+
+  // ------------------------------------------------------------------------------------------------ result
+
+  void settle_vertices()
+  {
+    merge_undecided();
+    std::vector<int> degree(graph_.vertices.size(), 0);
+    for (const Graph_piece& p : graph_.pieces) {
+      ++degree[p.from];
+      ++degree[p.to];
+    }
+    for (std::size_t v = 0; v < degree.size(); ++v) {
+      Graph_vertex& vertex = graph_.vertices[v];
+      if (vertex.kind == Graph_vertex::Kind::boundary && degree[v] == 0) vertex.kind = Graph_vertex::Kind::isolated;
+      // A smooth arc that only touches the boundary, or runs along it, goes on there.
+      if (vertex.kind == Graph_vertex::Kind::boundary && degree[v] == 2 && !vertex.is_mark)
+        vertex.kind = Graph_vertex::Kind::crossing;
+      if (vertex.kind != Graph_vertex::Kind::crossing || degree[v] == 2 || degree[v] == 0) continue;
+      if (!near_undecided(vertex)) throw std::logic_error("locus: an arc ends inside the domain");
+      vertex.kind = Graph_vertex::Kind::open;
+    }
+  }
+
+  bool near_undecided(const Graph_vertex& vertex) const
+  {
+    for (const Index i : undecided_cells_) {
+      const Box<2>& b = tree_[i].box;
+      if (vertex.at[0].sup() >= b.lo[0] && vertex.at[0].inf() <= b.hi[0] && vertex.at[1].sup() >= b.lo[1] &&
+          vertex.at[1].inf() <= b.hi[1])
+        return true;
+    }
+    return false;
+  }
+
+  /// Undecided cells that touch are reported as one box; so are boxes that a cause left open, where they may hold
+  /// zeros of the equation at all.
+  void merge_undecided()
+  {
+    for (std::size_t k = 0; k < undecided_cells_.size(); ++k)
+      report_undecided({tree_[undecided_cells_[k]].box, undecided_reason_[k]});
+    for (const auto& [cause, box] : cause_undecided_)
+      if (may_hold_zeros(box)) report_undecided({box, "cannot decide the solutions of " + system_.causes[cause].name});
+  }
+
+  void report_undecided(Undecided_box added)
+  {
+    auto& list = graph_.undecided;
+    for (std::size_t j = 0; j < list.size();) {
+      const Box<2>& m = list[j].box;
+      if (m.lo[0] > added.box.hi[0] || m.hi[0] < added.box.lo[0] || m.lo[1] > added.box.hi[1] || m.hi[1] < added.box.lo[1]) {
+        ++j;
+        continue;
+      }
+      for (std::size_t v = 0; v < 2; ++v) {
+        added.box.lo[v] = std::min(added.box.lo[v], m.lo[v]);
+        added.box.hi[v] = std::max(added.box.hi[v], m.hi[v]);
+      }
+      added.reason = list[j].reason;
+      list.erase(list.begin() + static_cast<std::ptrdiff_t>(j));
+      j = 0;
+    }
+    list.push_back(std::move(added));
+  }
+
+  bool may_hold_zeros(const Box<2>& box) const
+  {
+    const auto f = system_.equations[0]->enclosure(box);
+    Range_sign_of sign;
+    for (const Interval& c : f.coefficients()) sign.add(sign_of(c));
+    return !is_strict(sign.result());
+  }
+
+  static bool runs_through(const Graph_vertex& v) { return v.kind == Graph_vertex::Kind::crossing; }
+
+  void join_arcs()
+  {
+    std::vector<std::vector<std::size_t>> at(graph_.vertices.size());
+    for (std::size_t p = 0; p < graph_.pieces.size(); ++p) {
+      at[graph_.pieces[p].from].push_back(p);
+      at[graph_.pieces[p].to].push_back(p);
+    }
+    std::vector<char> used(graph_.pieces.size(), 0);
+    const auto follow = [&](std::size_t piece, std::size_t start, Graph_arc& arc) {
+      std::size_t v = start;
+      for (;;) {
+        used[piece] = 1;
+        const Graph_piece& p = graph_.pieces[piece];
+        const bool reversed = p.from != v;
+        arc.steps.push_back({piece, reversed});
+        v = reversed ? p.from : p.to;
+        if (v == start && runs_through(graph_.vertices[v])) {
+          arc.closed = true;
+          break;
+        }
+        if (!runs_through(graph_.vertices[v])) break;
+        piece = at[v][0] == piece ? at[v][1] : at[v][0];
+      }
+      arc.source = start;
+      arc.target = v;
+    };
+    for (std::size_t v = 0; v < at.size(); ++v) {
+      if (runs_through(graph_.vertices[v])) continue;
+      for (const std::size_t p : at[v])
+        if (!used[p]) {
+          graph_.arcs.emplace_back();
+          follow(p, v, graph_.arcs.back());
+        }
+    }
+    for (std::size_t p = 0; p < used.size(); ++p)
+      if (!used[p]) {
+        graph_.arcs.emplace_back();
+        follow(p, graph_.pieces[p].from, graph_.arcs.back());
+      }
+  }
+
+  void keep_forms()
+  {
+    graph_.forms.reserve(graph_.pieces.size());
+    for (const Graph_piece& p : graph_.pieces) graph_.forms.push_back({tree_[p.cell].box, tree_.bounded_form(p.cell)});
+  }
+
+  void gather_statistics() { graph_.statistics.exact_cells = tree_.exact_cells(); }
+
+  const System<1, 2>& system_;
+  const Solve_control& control_;
+  Claim_observer<2>* observer_;
+  std::chrono::steady_clock::time_point start_;
+  Curve_graph graph_;
+  Cell_tree tree_;
+  Face_segments segments_;
+  std::vector<Faces> faces_;
+  std::vector<Index> graph_cells_, node_cells_, corner_cells_, undecided_cells_;
+  std::vector<std::pair<int, Sign>> pivot_;
+  std::vector<std::size_t> node_of_;
+  std::vector<const char*> undecided_reason_;
+  std::vector<std::pair<std::size_t, Box<2>>> cause_undecided_;
+  std::vector<Place> where_;
+};
+
+} // namespace detail
+
+/// The zero set of one equation in two variables on the unit cell of its domain, certified; what could not be decided
+/// is listed. Needs upward rounding. Cost grows with the number of cells, O(degree³) each in doubles.
+inline Curve_graph solve_curves(const System<1, 2>& system, const Solve_control& control = {},
+                                Claim_observer<2>* observer = nullptr)
+{
+  return detail::Curve_solver(system, control, observer).run();
+}
+
+} // namespace locus
+
+#endif

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_ZERO_SET_ROOTS_H
+#define LOCUS_ZERO_SET_ROOTS_H
+
+#include <locus/function/bernstein_horner.h>
+#include <locus/function/bounded_bernstein.h>
+#include <locus/function/descartes.h>
+#include <locus/number/filter_counts.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace locus {
+
+/// A univariate polynomial on [lo, hi] as the root isolator sees it: a bounded form at hand, the exact form on demand.
+/// Not for sharing between threads: it caches the exact form.
+class Univariate {
+public:
+  using Make_exact = std::function<Bernstein<Scaled_integer, 1>()>;
+
+  Univariate(Bernstein<Bounded, 1> f, double lo, double hi, Make_exact make_exact, Filter_counts* counts)
+    : bounded_(std::move(f)), norm_(bounded_.norm()), lo_(lo), hi_(hi), make_exact_(std::move(make_exact)),
+      counts_(counts)
+  {
+  }
+
+  int degree() const { return bounded_.degree(); }
+  double lo() const { return lo_; }
+  double hi() const { return hi_; }
+  double norm() const { return norm_; }
+  const Bernstein<Bounded, 1>& bounded() const { return bounded_; }
+  Filter_counts& counts() const { return *counts_; }
+
+  const Bernstein<Scaled_integer, 1>& exact() const
+  {
+    if (!exact_) exact_ = make_exact_();
+    return *exact_;
+  }
+
+  /// Value at x in [lo, hi] with its error.
+  Bounded value(double x) const
+  {
+    const double u = std::min(1.0, std::max(0.0, (x - lo_) / (hi_ - lo_)));
+    const int n = degree();
+    // The two roundings in u move the argument; the derivative is at most 2n times the norm.
+    const double operations = detail::horner_operations(n) + 6.0 * n;
+    return {detail::horner_value(bounded_.values().data(), n, u),
+            detail::accumulated_error(bounded_.error(), operations, norm_)};
+  }
+
+  Sign exact_sign(double x) const
+  {
+    counts_->record(Rung::exact, true);
+    const Rational u = (Rational(x) - Rational(lo_)) / (Rational(hi_) - Rational(lo_));
+    return sign_of(evaluate_at(exact().rational(), u));
+  }
+
+  Sign sign(double x) const
+  {
+    const Sign s = sign_of(value(x));
+    counts_->record(Rung::bounded, is_certain(s));
+    return is_certain(s) ? s : exact_sign(x);
+  }
+
+private:
+  Bernstein<Bounded, 1> bounded_;
+  double norm_, lo_, hi_;
+  Make_exact make_exact_;
+  mutable std::optional<Bernstein<Scaled_integer, 1>> exact_;
+  Filter_counts* counts_;
+};
+
+namespace detail {
+
+/// Descartes' method in doubles with an error bound. Gives up (false) where a sign stays unknown.
+class Filtered_isolator {
+public:
+  Filtered_isolator(int degree, double norm) : n_(static_cast<std::size_t>(degree)), norm_(norm)
+  {
+    arena_.resize((n_ + 1) * 2 * (max_depth + 1));
+  }
+
+  bool run(const double* c, double error, double lo, double hi, std::vector<Isolated_root<double>>& out)
+  {
+    if (!is_strict(sign_of(c[0], error)) || !is_strict(sign_of(c[n_], error))) return false;
+    return descend(c, error, lo, hi, 0, out);
+  }
+
+private:
+  static constexpr std::size_t max_depth = 40;
+
+  /// Sign variations, or -1 where an unknown sign could change their number.
+  int variations(const double* c, double error) const
+  {
+    int count = 0;
+    Sign last = sign_of(c[0], error);
+    bool open = false;
+    for (std::size_t i = 1; i <= n_; ++i) {
+      const Sign s = sign_of(c[i], error);
+      if (!is_strict(s)) {
+        open = true;
+        continue;
+      }
+      if (s == last && open) return -1;
+      if (s != last) ++count;
+      last = s;
+      open = false;
+    }
+    return count;
+  }
+
+  bool descend(const double* c, double error, double lo, double hi, std::size_t depth,
+               std::vector<Isolated_root<double>>& out)
+  {
+    const int v = variations(c, error);
+    if (v == 0) return true;
+    if (v == 1) {
+      out.push_back({lo, hi, 1, nullptr});
+      return true;
+    }
+    if (depth == max_depth) return false;
+    double* const left = arena_.data() + depth * 2 * (n_ + 1);
+    double* const right = left + n_ + 1;
+    for (double s : {0.5, 0.4375, 0.5625, 0.375}) {
+      split_kernel(c, left, right, Layout{1, n_ + 1, 1}, [s](double a, double b) { return (1 - s) * a + s * b; });
+      const double e = accumulated_error(error, 3.0 * static_cast<double>(n_), norm_);
+      if (!is_strict(sign_of(right[0], e))) continue;
+      const double mid = lo + s * (hi - lo);
+      return descend(left, e, lo, mid, depth + 1, out) && descend(right, e, mid, hi, depth + 1, out);
+    }
+    return false;
+  }
+
+  std::size_t n_;
+  double norm_;
+  std::vector<double> arena_;
+};
+
+} // namespace detail
+
+/// All roots of `f` on its closed interval with multiplicities: Descartes' method in bounded doubles; where a sign
+/// stays unknown (multiple roots, roots at the ends), exactly by square-free factors.
+inline Root_set<double> isolate_roots(const Univariate& f)
+{
+  Root_set<double> result;
+  detail::Filtered_isolator filtered(f.degree(), f.norm());
+  const auto& c = f.bounded().values();
+  const bool decided = filtered.run(c.data(), f.bounded().error(), f.lo(), f.hi(), result.roots);
+  f.counts().record(Rung::bounded, decided);
+  if (!decided) {
+    f.counts().record(Rung::exact, true);
+    result = exact_roots(f.exact(), f.lo(), f.hi());
+    for (auto& root : result.roots) // `f` itself changes sign at a simple root: its filtered signs are cheaper
+      if (root.multiplicity == 1) root.factor.reset();
+    return result;
+  }
+  Sign sign = sign_of(c[0], f.bounded().error());
+  result.gaps.push_back(sign);
+  for (std::size_t i = 0; i < result.roots.size(); ++i) result.gaps.push_back(sign = opposite(sign));
+  return result;
+}
+
+namespace detail {
+
+inline Sign sign_for_refinement(const Univariate& f, const Isolated_root<double>& root, double x)
+{
+  return root.factor ? exact_sign_at(*root.factor, f.lo(), f.hi(), x) : f.sign(x);
+}
+
+/// One step of a bracketing secant in plain doubles: an approximation of a simple root, certified by nobody.
+inline double approximate_root(const Univariate& f, double a, double b)
+{
+  double fa = f.value(a).value, fb = f.value(b).value;
+  if (!(fa * fb < 0)) return 0.5 * (a + b);
+  int side = 0;
+  for (int i = 0; i < 60 && b - a > 4e-16 * (1 + std::abs(a)); ++i) {
+    double x = (a * fb - b * fa) / (fb - fa);
+    if (!(x > a && x < b)) x = 0.5 * (a + b);
+    const double fx = f.value(x).value;
+    if (fx == 0) return x;
+    if ((fx > 0) == (fb > 0)) {
+      if (b - x < 2e-16 * (1 + std::abs(x))) return x;
+      b = x, fb = fx;
+      if (side == 1) fa *= 0.5;
+      side = 1;
+    } else {
+      if (x - a < 2e-16 * (1 + std::abs(x))) return x;
+      a = x, fa = fx;
+      if (side == -1) fb *= 0.5;
+      side = -1;
+    }
+  }
+  return 0.5 * (a + b);
+}
+
+} // namespace detail
+
+/// Narrows a root of `f` towards `width`. The enclosure stays certified: it shrinks only by proved signs, first around
+/// a numerical guess by filtered ones; exact bisection follows while it is wider than `exact_above`.
+inline void refine_root(const Univariate& f, Isolated_root<double>& root, double width, double exact_above)
+{
+  if (root.is_exact() || root.hi - root.lo <= width) return;
+  if (!root.factor) {
+    const double guess = detail::approximate_root(f, root.lo, root.hi);
+    const Sign above = f.sign(root.hi);
+    for (double delta = std::max(0.45 * width, 4e-17); delta < root.hi - root.lo; delta *= 8) {
+      const double a = std::max(root.lo, guess - delta), b = std::min(root.hi, guess + delta);
+      const Sign sa = a == root.lo ? opposite(above) : sign_of(f.value(a));
+      const Sign sb = b == root.hi ? above : sign_of(f.value(b));
+      if (sb == above && sa == opposite(above)) {
+        root.lo = a;
+        root.hi = b;
+        break;
+      }
+    }
+  }
+  while (!root.is_exact() && root.hi - root.lo > std::max(width, exact_above)) {
+    if (root.factor) {
+      if (!detail::bisect_exactly(*root.factor, f.lo(), f.hi(), root)) return;
+      continue;
+    }
+    const double mid = 0.5 * (root.lo + root.hi);
+    if (!(mid > root.lo && mid < root.hi)) return;
+    const Sign s = f.sign(mid);
+    if (s == Sign::zero) root.lo = root.hi = mid;
+    else (s == f.sign(root.hi) ? root.hi : root.lo) = mid;
+  }
+}
+
+} // namespace locus
+
+#endif

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_ZERO_SET_SYSTEM_H
+#define LOCUS_ZERO_SET_SYSTEM_H
+
+#include <locus/function/bounded_bernstein.h>
+#include <locus/function/domain.h>
+#include <locus/function/scaled_integer_bernstein.h>
+#include <locus/zero_set/claim.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace locus {
+
+/// A polynomial equation on the unit cell of one piece of a domain, in the two forms the ladder needs.
+template <int D>
+class Equation {
+public:
+  virtual ~Equation() = default;
+
+  virtual Degrees<D> degrees() const = 0;
+
+  /// Enclosures of the Bernstein coefficients on `box` (which may reach beyond the unit cell). Called with upward
+  /// rounding. The closer the form's own cancellation is modelled, the fewer exact cells a solve needs.
+  virtual Bernstein<Interval, D> enclosure(const Box<D>& box) const = 0;
+
+  /// Exact coefficients on the unit cell, up to a positive factor that is also allowed in `enclosure`: signs count.
+  virtual const Bernstein<Scaled_integer, D>& exact() const = 0;
+};
+
+/// An equation given by its coefficients.
+template <int D>
+class Polynomial_equation final : public Equation<D> {
+public:
+  explicit Polynomial_equation(Bernstein<Rational, D> f) : exact_(f), rational_(std::move(f)) {}
+  explicit Polynomial_equation(Bernstein<Scaled_integer, D> f) : exact_(std::move(f)), rational_(exact_.rational()) {}
+
+  Degrees<D> degrees() const override { return rational_.degrees(); }
+  const Bernstein<Scaled_integer, D>& exact() const override { return exact_; }
+
+  Bernstein<Interval, D> enclosure(const Box<D>& box) const override
+  {
+    auto f = converted<Interval>(rational_, [](const Rational& c) { return locus::enclosing(c); });
+    for (int k = 0; k < D; ++k) {
+      const auto kk = static_cast<std::size_t>(k);
+      if (box.lo[kk] != 0 || box.hi[kk] != 1) f = restrict_to(f, k, Interval(box.lo[kk]), Interval(box.hi[kk]));
+    }
+    return f;
+  }
+
+private:
+  Bernstein<Scaled_integer, D> exact_;
+  Bernstein<Rational, D> rational_;
+};
+
+/// A smaller regular system whose solutions explain singular or infinite points of another one.
+template <int D>
+struct Cause {
+  std::string name;                                                     ///< e.g. "C1 = C2"
+  std::array<std::shared_ptr<const Equation<D>>, static_cast<std::size_t>(D)> equations;
+  Claim_kind proves = Claim_kind::crossing;
+  std::vector<std::size_t> includes; ///< causes (by index) whose solutions solve this one as well and take precedence
+};
+
+/// K polynomial equations in D variables on a domain. `known_factors` have been divided out already and are listed so
+/// that a result can report them; `causes` let the solver use geometry without knowing any.
+template <int K, int D>
+struct System {
+  std::string name;
+  Domain<D> domain;
+  std::array<std::shared_ptr<const Equation<D>>, static_cast<std::size_t>(K)> equations;
+  std::vector<std::shared_ptr<const Equation<D>>> known_factors;
+  std::vector<Cause<D>> causes;
+};
+
+} // namespace locus
+
+#endif
