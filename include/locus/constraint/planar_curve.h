@@ -106,6 +106,19 @@ public:
     return c;
   }
 
+  /// Zeros of the right degrees, from which a form's degrees follow.
+  Complex_curve<double> degrees_only() const
+  {
+    const auto zeros = [](const Bernstein<Rational, 1>& f) { return std::vector<double>(f.size(), 0.0); };
+    Complex_curve<double> c;
+    c.weight = real_polynomial(zeros(weight_));
+    c.point = {zeros(numerator_[0]), zeros(numerator_[1])};
+    c.tangent = {zeros(tangent_[0]), zeros(tangent_[1])};
+    c.is_circle = is_circle();
+    if (c.is_circle) c.centre_to_point = c.point;
+    return c;
+  }
+
   bool is_circle() const { return carrier_.kind == Carrier::Kind::circle; }
   bool is_line() const { return carrier_.kind == Carrier::Kind::line; }
 

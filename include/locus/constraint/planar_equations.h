@@ -130,7 +130,7 @@ template <class Form>
 class Curve_pair_equation final : public Equation<2> {
 public:
   Curve_pair_equation(std::shared_ptr<const Planar_curve> first, std::shared_ptr<const Planar_curve> second)
-    : first_(std::move(first)), second_(std::move(second)), degrees_(Form::build(first_->exact(), second_->exact()).degrees())
+    : first_(std::move(first)), second_(std::move(second)), degrees_(Form::build(first_->degrees_only(), second_->degrees_only()).degrees())
   {
   }
 

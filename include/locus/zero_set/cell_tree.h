@@ -86,6 +86,7 @@ public:
 
   const Cell& operator[](Index i) const { return cells_[i]; }
   std::size_t size() const { return cells_.size(); }
+  const Equation<2>& equation() const { return equation_; }
   const Degrees<2>& degrees() const { return degrees_; }
   const double* coefficients(Index i) const { return arena_.data() + i * count_; }
   Filter_counts& counts() const { return counts_; }
@@ -216,9 +217,15 @@ public:
   {
     const std::size_t at = static_cast<std::size_t>(low_or_high_0 * degrees_[0]) * (static_cast<std::size_t>(degrees_[1]) + 1) +
                            static_cast<std::size_t>(low_or_high_1 * degrees_[1]);
-    const Sign s = sign_of(coefficients(i)[at], cells_[i].error);
+    Sign s = sign_of(coefficients(i)[at], cells_[i].error);
     counts_.record(Rung::bounded, is_certain(s));
     if (is_certain(s)) return s;
+    if (!exact_near(i) && !cells_[i].refreshed) {
+      adopt(i, equation_.enclosure(cells_[i].box));
+      s = sign_of(coefficients(i)[at], cells_[i].error);
+      counts_.record(Rung::interval, is_certain(s));
+      if (is_certain(s)) return s;
+    }
     counts_.record(Rung::exact, true);
     return exact(i).sign(at);
   }
@@ -252,6 +259,11 @@ private:
       for (std::size_t k = 0; k + layout.inner < block; ++k) f(c[o * block + k], c[o * block + k + layout.inner]);
   }
 
+  bool exact_near(Index i) const
+  {
+    return cells_[i].exact || (cells_[i].parent != none && cells_[cells_[i].parent].exact);
+  }
+
   Range_sign bounded_range(Index i) const
   {
     const double* c = coefficients(i);
@@ -268,8 +280,7 @@ private:
     Range_sign s = bounded_test();
     counts_.record(rung, s != Range_sign::unknown);
     if (s != Range_sign::unknown) return s;
-    const bool exact_near = cells_[i].exact || (cells_[i].parent != none && cells_[cells_[i].parent].exact);
-    if (!exact_near) {
+    if (!exact_near(i)) {
       rung = Rung::interval;
       const auto f = equation_.enclosure(cells_[i].box);
       adopt(i, f);

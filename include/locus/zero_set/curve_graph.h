@@ -77,6 +77,7 @@ struct Curve_graph {
   struct Cell_form {
     Box<2> box;
     Bernstein<Bounded, 2> f;
+    std::shared_ptr<const Equation<2>> equation;
   };
   std::vector<Cell_form> forms; ///< one for each piece
 

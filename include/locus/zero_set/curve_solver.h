@@ -26,12 +26,12 @@ public:
   Curve_graph run()
   {
     graph_.equation = system_.equations[0];
-    solve_causes();
     Rung rung;
-    if (const Range_sign s = tree_.range_sign(0, rung); s == Range_sign::zero) {
+    if (tree_.range_sign(0, rung) == Range_sign::zero) {
       graph_.identically_zero = true;
       return std::move(graph_);
     }
+    solve_causes();
     lay_out_unit_cell();
     subdivide();
     for (std::size_t k = 0; k < graph_cells_.size(); ++k) trace_graph_cell(graph_cells_[k], pivot_[k]);
@@ -63,7 +63,7 @@ private:
       graph_.statistics.point_cells += solved.cells;
       for (Isolated_point& p : solved.points) {
         p.cause = c;
-        if (is_explained(cause, p)) continue;
+        if (is_explained(cause, p) || (cause.leave_out && cause.leave_out(p))) continue;
         graph_.special.push_back(p);
         Claim<2> claim;
         claim.kind = Claim_kind::isolated_box;
@@ -173,7 +173,7 @@ private:
       }
     if (crossings > 1) return false;
     if (crossings == 1) {
-      if (tree_[i].box.max_width() > control_.node_width || !is_node_cell(i, last)) return false;
+      if (!has_single_critical_point(i) || tree_[i].box.max_width() > control_.node_width || !is_node_cell(i, last)) return false;
       node_cells_.push_back(i);
       node_of_.push_back(last);
       claim.kind = Claim_kind::crossing;
@@ -326,9 +326,20 @@ private:
     const Box<2>& box = tree_[i].box;
     for (std::size_t v = 0; v < 2; ++v)
       if (!(box.lo[v] < p.box[v].inf() && p.box[v].sup() < box.hi[v])) return false;
-    if (!has_dominant_indefinite_hessian(system_.equations[0]->enclosure(box))) return false;
     bool simple = true;
     return boundary_crossings(i, simple).size() == 4 && simple;
+  }
+
+  /// Whether a dominant indefinite Hessian holds on the cell: tested where the cell is still large, for on the smallest
+  /// ones the second differences drown in the coefficients' errors; it carries over to all parts.
+  bool has_single_critical_point(Index i)
+  {
+    hessian_proved_.resize(tree_.size(), 0);
+    const Index parent = tree_[i].parent;
+    if (parent != Cell_tree::none && hessian_proved_[parent]) hessian_proved_[i] = 1;
+    if (!hessian_proved_[i] && has_dominant_indefinite_hessian(system_.equations[0]->enclosure(tree_[i].box)))
+      hessian_proved_[i] = 1;
+    return hessian_proved_[i] != 0;
   }
 
   static Interval range(const Bernstein<Interval, 2>& f)
@@ -789,7 +800,7 @@ private:
   void keep_forms()
   {
     graph_.forms.reserve(graph_.pieces.size());
-    for (const Graph_piece& p : graph_.pieces) graph_.forms.push_back({tree_[p.cell].box, tree_.bounded_form(p.cell)});
+    for (const Graph_piece& p : graph_.pieces) graph_.forms.push_back({tree_[p.cell].box, tree_.bounded_form(p.cell), graph_.equation});
   }
 
   void gather_statistics() { graph_.statistics.exact_cells = tree_.exact_cells(); }
@@ -805,6 +816,7 @@ private:
   std::vector<Index> graph_cells_, node_cells_, corner_cells_, undecided_cells_;
   std::vector<std::pair<int, Sign>> pivot_;
   std::vector<std::size_t> node_of_;
+  std::vector<char> hessian_proved_;
   std::vector<const char*> undecided_reason_;
   std::vector<std::pair<std::size_t, Box<2>>> cause_undecided_;
   std::vector<Place> where_;

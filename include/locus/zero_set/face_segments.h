@@ -65,7 +65,16 @@ public:
           const Face_segment& self = segments_[i];
           return face(tree_.exact(self.source), self.fixed_variable, self.source_high);
         },
-        &tree_.counts());
+        &tree_.counts(),
+        [this, i](double lo, double hi) {
+          const Face_segment& self = segments_[i];
+          Box<2> box;
+          const auto v = static_cast<std::size_t>(self.fixed_variable);
+          box.lo[v] = box.hi[v] = self.fixed;
+          box.lo[1 - v] = lo;
+          box.hi[1 - v] = hi;
+          return bounded(face(tree_.equation().enclosure(box), self.fixed_variable, false));
+        });
       s.set = isolate_roots(*s.polynomial);
       s.vertex.assign(s.set.roots.size(), -1);
     }

@@ -11,16 +11,7 @@
 
 namespace locus {
 
-/// A solution of two equations in two variables: the only one in `box`, which may reach a little over the unit cell.
-struct Isolated_point {
-  std::array<Interval, 2> box;
-  /// For each variable: 0 or 1 where the solution lies exactly on that face of the unit cell, else -1.
-  std::array<int, 2> face{-1, -1};
-  std::size_t cause = 0;
-  Box<2> unique_in; ///< larger box with no other solution of the same equations
-
-  bool on_boundary() const { return face[0] >= 0 || face[1] >= 0; }
-};
+using Isolated_point = Isolated_solution<2>;
 
 struct Point_set {
   std::vector<Isolated_point> points;

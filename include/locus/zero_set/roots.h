@@ -19,11 +19,21 @@ namespace locus {
 class Univariate {
 public:
   using Make_exact = std::function<Bernstein<Scaled_integer, 1>()>;
+  using Make_fresh = std::function<Bernstein<Bounded, 1>(double lo, double hi)>;
 
-  Univariate(Bernstein<Bounded, 1> f, double lo, double hi, Make_exact make_exact, Filter_counts* counts)
+  /// `make_exact` gives the exact form on [lo, hi]; `make_fresh`, if any, a newly enclosed one on a part of it.
+  Univariate(Bernstein<Bounded, 1> f, double lo, double hi, Make_exact make_exact, Filter_counts* counts,
+             Make_fresh make_fresh = {})
     : bounded_(std::move(f)), norm_(bounded_.norm()), lo_(lo), hi_(hi), make_exact_(std::move(make_exact)),
-      counts_(counts)
+      make_fresh_(std::move(make_fresh)), counts_(counts)
   {
+  }
+
+  /// The polynomial enclosed afresh on [lo, hi], where that is possible: tighter than the inherited form.
+  std::optional<Univariate> fresh(double lo, double hi) const
+  {
+    if (!make_fresh_) return std::nullopt;
+    return Univariate(make_fresh_(lo, hi), lo, hi, {}, counts_);
   }
 
   int degree() const { return bounded_.degree(); }
@@ -59,8 +69,12 @@ public:
 
   Sign sign(double x) const
   {
-    const Sign s = sign_of(value(x));
+    Sign s = sign_of(value(x));
     counts_->record(Rung::bounded, is_certain(s));
+    if (!is_certain(s) && make_fresh_) {
+      s = sign_of(make_fresh_(x, x)[0]);
+      counts_->record(Rung::interval, is_certain(s));
+    }
     return is_certain(s) ? s : exact_sign(x);
   }
 
@@ -68,6 +82,7 @@ private:
   Bernstein<Bounded, 1> bounded_;
   double norm_, lo_, hi_;
   Make_exact make_exact_;
+  Make_fresh make_fresh_;
   mutable std::optional<Bernstein<Scaled_integer, 1>> exact_;
   Filter_counts* counts_;
 };
@@ -146,9 +161,16 @@ inline Root_set<double> isolate_roots(const Univariate& f)
 {
   Root_set<double> result;
   detail::Filtered_isolator filtered(f.degree(), f.norm());
-  const auto& c = f.bounded().values();
-  const bool decided = filtered.run(c.data(), f.bounded().error(), f.lo(), f.hi(), result.roots);
-  f.counts().record(Rung::bounded, decided);
+  const auto attempt = [&](const Bernstein<Bounded, 1>& form, Rung rung) {
+    result.roots.clear();
+    const bool decided = filtered.run(form.values().data(), form.error(), f.lo(), f.hi(), result.roots);
+    f.counts().record(rung, decided);
+    if (decided) result.gaps.push_back(sign_of(form.values()[0], form.error()));
+    return decided;
+  };
+  bool decided = attempt(f.bounded(), Rung::bounded);
+  if (!decided)
+    if (const auto fresh = f.fresh(f.lo(), f.hi())) decided = attempt(fresh->bounded(), Rung::interval);
   if (!decided) {
     f.counts().record(Rung::exact, true);
     result = exact_roots(f.exact(), f.lo(), f.hi());
@@ -156,9 +178,7 @@ inline Root_set<double> isolate_roots(const Univariate& f)
       if (root.multiplicity == 1) root.factor.reset();
     return result;
   }
-  Sign sign = sign_of(c[0], f.bounded().error());
-  result.gaps.push_back(sign);
-  for (std::size_t i = 0; i < result.roots.size(); ++i) result.gaps.push_back(sign = opposite(sign));
+  for (std::size_t i = 0; i < result.roots.size(); ++i) result.gaps.push_back(opposite(result.gaps.back()));
   return result;
 }
 
@@ -197,23 +217,46 @@ inline double approximate_root(const Univariate& f, double a, double b)
 
 } // namespace detail
 
-/// Narrows a root of `f` towards `width`. The enclosure stays certified: it shrinks only by proved signs, first around
-/// a numerical guess by filtered ones; exact bisection follows while it is wider than `exact_above`.
+namespace detail {
+
+/// Shrinks a simple root's interval around a numerical guess, by signs that the bounded form proves.
+inline void shrink_by_filter(const Univariate& f, Isolated_root<double>& root, Sign above, double width)
+{
+  const double guess = approximate_root(f, root.lo, root.hi);
+  const double slope_error = f.value(guess).error;
+  double delta = std::max(0.45 * width, 0x1p-54 * std::max(std::abs(root.lo), std::abs(root.hi)));
+  const double rise = std::abs(f.value(root.hi).value - f.value(root.lo).value) / (root.hi - root.lo);
+  if (rise > 0) delta = std::max(delta, 2 * slope_error / rise);
+  for (; delta < root.hi - root.lo; delta *= 4) {
+    const double a = std::max(root.lo, guess - delta), b = std::min(root.hi, guess + delta);
+    const Sign sa = a == root.lo ? opposite(above) : sign_of(f.value(a));
+    const Sign sb = b == root.hi ? above : sign_of(f.value(b));
+    if (sb == above && sa == opposite(above)) {
+      root.lo = a;
+      root.hi = b;
+      return;
+    }
+  }
+}
+
+} // namespace detail
+
+/// Narrows a root of `f` towards `width`. The enclosure stays certified: it shrinks only by proved signs, of the
+/// bounded form, then of fresh ones on the part that is left; exact bisection follows while it is wider than
+/// `exact_above`.
 inline void refine_root(const Univariate& f, Isolated_root<double>& root, double width, double exact_above)
 {
   if (root.is_exact() || root.hi - root.lo <= width) return;
   if (!root.factor) {
-    const double guess = detail::approximate_root(f, root.lo, root.hi);
     const Sign above = f.sign(root.hi);
-    for (double delta = std::max(0.45 * width, 4e-17); delta < root.hi - root.lo; delta *= 8) {
-      const double a = std::max(root.lo, guess - delta), b = std::min(root.hi, guess + delta);
-      const Sign sa = a == root.lo ? opposite(above) : sign_of(f.value(a));
-      const Sign sb = b == root.hi ? above : sign_of(f.value(b));
-      if (sb == above && sa == opposite(above)) {
-        root.lo = a;
-        root.hi = b;
-        break;
-      }
+    detail::shrink_by_filter(f, root, above, width);
+    for (int step = 0; step < 3 && root.hi - root.lo > std::max(width, exact_above); ++step) {
+      const auto fresh = f.fresh(root.lo, root.hi);
+      if (!fresh) break;
+      const double before = root.hi - root.lo;
+      f.counts().record(Rung::interval, true);
+      detail::shrink_by_filter(*fresh, root, above, width);
+      if (!(root.hi - root.lo < 0.5 * before)) break;
     }
   }
   while (!root.is_exact() && root.hi - root.lo > std::max(width, exact_above)) {

@@ -7,6 +7,7 @@
 #include <locus/function/scaled_integer_bernstein.h>
 #include <locus/zero_set/claim.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -34,15 +35,17 @@ public:
 template <int D>
 class Polynomial_equation final : public Equation<D> {
 public:
-  explicit Polynomial_equation(Bernstein<Rational, D> f) : exact_(f), rational_(std::move(f)) {}
-  explicit Polynomial_equation(Bernstein<Scaled_integer, D> f) : exact_(std::move(f)), rational_(exact_.rational()) {}
+  explicit Polynomial_equation(const Bernstein<Rational, D>& f)
+    : exact_(f), enclosure_(converted<Interval>(f, [](const Rational& c) { return locus::enclosing(c); }))
+  {
+  }
 
-  Degrees<D> degrees() const override { return rational_.degrees(); }
+  Degrees<D> degrees() const override { return exact_.degrees(); }
   const Bernstein<Scaled_integer, D>& exact() const override { return exact_; }
 
   Bernstein<Interval, D> enclosure(const Box<D>& box) const override
   {
-    auto f = converted<Interval>(rational_, [](const Rational& c) { return locus::enclosing(c); });
+    Bernstein<Interval, D> f = enclosure_;
     for (int k = 0; k < D; ++k) {
       const auto kk = static_cast<std::size_t>(k);
       if (box.lo[kk] != 0 || box.hi[kk] != 1) f = restrict_to(f, k, Interval(box.lo[kk]), Interval(box.hi[kk]));
@@ -52,7 +55,27 @@ public:
 
 private:
   Bernstein<Scaled_integer, D> exact_;
-  Bernstein<Rational, D> rational_;
+  Bernstein<Interval, D> enclosure_;
+};
+
+/// An isolated solution of D equations in D variables: the only one in `box`, which may reach a little over the unit
+/// cell.
+template <int D>
+struct Isolated_solution {
+  std::array<Interval, static_cast<std::size_t>(D)> box;
+  /// For each variable: 0 or 1 where the solution lies exactly on that face of the unit cell, else -1.
+  std::array<int, static_cast<std::size_t>(D)> face;
+  std::size_t cause = 0; ///< index of the cause that it solves
+  Box<D> unique_in;      ///< larger box with no other solution of the same equations
+
+  Isolated_solution() { face.fill(-1); }
+
+  bool on_boundary() const
+  {
+    for (int f : face)
+      if (f >= 0) return true;
+    return false;
+  }
 };
 
 /// A smaller regular system whose solutions explain singular or infinite points of another one.
@@ -61,7 +84,10 @@ struct Cause {
   std::string name;                                                     ///< e.g. "C1 = C2"
   std::array<std::shared_ptr<const Equation<D>>, static_cast<std::size_t>(D)> equations;
   Claim_kind proves = Claim_kind::crossing;
-  std::vector<std::size_t> includes; ///< causes (by index) whose solutions solve this one as well and take precedence
+  /// Causes (by index) all of whose solutions solve this one as well; such a solution counts for them only.
+  std::vector<std::size_t> includes;
+  /// Solutions that belong to another factor of the equation, if any, decided exactly.
+  std::function<bool(const Isolated_solution<D>&)> leave_out;
 };
 
 /// K polynomial equations in D variables on a domain. `known_factors` have been divided out already and are listed so

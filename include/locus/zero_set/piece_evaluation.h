@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_ZERO_SET_PIECE_EVALUATION_H
+#define LOCUS_ZERO_SET_PIECE_EVALUATION_H
+
+#include <locus/zero_set/curve_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace locus {
+
+/// The dependent variable of an arc with its first and second derivative by the base variable, over a stretch.
+struct Dependent_jet {
+  Interval value, first, second;
+};
+
+/// Evaluates an arc's stretch in a graph cell, where F(x_pivot, x_base) = 0 has one solution x_pivot for each base
+/// value. All positions are on the unit cell. Needs upward rounding; read-only and cheap to make, not to be shared by
+/// threads (it keeps scratch memory).
+class Piece_evaluator {
+public:
+  Piece_evaluator(const Curve_graph::Cell_form& form, int base)
+    : form_(form), base_(base), pivot_(1 - base), n_(form.f.degree(pivot_)), m_(form.f.degree(base)), norm_(form.f.norm()),
+      row_(static_cast<std::size_t>(n_) + 1), weight_(static_cast<std::size_t>(m_) + 1)
+  {
+  }
+
+  int base() const { return base_; }
+  int pivot() const { return pivot_; }
+
+  /// Certified enclosure of the pivot variable at base value s, usually a few units in the last place wide; `guess`
+  /// starts the search. Signs at both ends prove it, by the ladder.
+  Interval pivot_at(double s, double guess) const
+  {
+    const double lo = form_.box.lo[pivot_index()], hi = form_.box.hi[pivot_index()], width = hi - lo;
+    const double error = contract(s);
+    const double* g = row_.data();
+    double u = std::min(1.0, std::max(0.0, (guess - lo) / width));
+    double slope = 0;
+    for (int step = 0; step < 12; ++step) {
+      double value;
+      value_and_slope(u, value, slope);
+      const double next = std::min(1.0, std::max(0.0, u - value / slope));
+      const double moved = std::abs(next - u);
+      u = next;
+      if (!(moved > 1e-15)) break;
+    }
+    const double radius = std::max(4 * error / std::abs(slope), 0x1p-52);
+    const Sign high = sign_of(g[n_], error), low = sign_of(g[0], error);
+    const Sign above = is_strict(high) ? high : opposite(low);
+    for (double delta = radius; is_strict(above) && delta < 1e-12 / width && delta < 0.5; delta *= 8) {
+      const double a = std::max(0.0, u - delta), b = std::min(1.0, u + delta);
+      const double ga = detail::horner_value(g, n_, a), gb = detail::horner_value(g, n_, b);
+      const bool below_a = a == 0 ? low == opposite(above) : sign_of(ga, error) == opposite(above);
+      const bool above_b = b == 1 ? high == above : sign_of(gb, error) == above;
+      if (below_a && above_b) return Interval(lo) + Interval(a, b) * Interval(width);
+    }
+    return pivot_by_ladder(s, error);
+  }
+
+  /// Enclosures over base values [s0, s1] of the pivot and its derivatives, given its values at both ends.
+  std::optional<Dependent_jet> jet_over(double s0, double s1, const Interval& at_s0, const Interval& at_s1) const
+  {
+    const auto p = pivot_index();
+    const Interval ds = Interval(s1) - Interval(s0);
+    // |x(s)| lies within half the step times the slope of both ends; the slope is bounded over the whole cell first.
+    Interval range = hull(at_s0, at_s1);
+    std::optional<Dependent_jet> jet;
+    for (int pass = 0; pass < 2; ++pass) {
+      const auto slopes = pass == 0 ? partials(form_.box, false) : partials(sub_box(range, s0, s1), true);
+      if (!slopes) return jet;
+      const Interval slope = -slopes->f_base / slopes->f_pivot;
+      const double growth = (Interval(magnitude(slope)) * ds).sup() * 0.5;
+      Interval wider = hull(at_s0, at_s1) + Interval(-growth, growth);
+      wider = Interval(std::max(wider.inf(), form_.box.lo[p]), std::min(wider.sup(), form_.box.hi[p]));
+      if (pass == 1) {
+        const Interval second = -(slopes->f_bb + Interval(2) * slopes->f_pb * slope + slopes->f_pp * slope * slope) / slopes->f_pivot;
+        jet = Dependent_jet{Interval(std::max(wider.inf(), range.inf()), std::min(wider.sup(), range.sup())), slope, second};
+      }
+      range = wider;
+    }
+    return jet;
+  }
+
+  /// Enclosure of the partial derivative by the base variable over the stretch: zero where the pivot stands still.
+  std::optional<Interval> base_slope_over(double s0, double s1, const Interval& pivot_range) const
+  {
+    const auto slopes = partials(sub_box(pivot_range, s0, s1), true);
+    if (!slopes) return std::nullopt;
+    return slopes->f_base;
+  }
+
+private:
+  struct Partials {
+    Interval f_pivot, f_base, f_pp, f_pb, f_bb;
+  };
+
+  std::size_t pivot_index() const { return static_cast<std::size_t>(pivot_); }
+  std::size_t base_index() const { return static_cast<std::size_t>(base_); }
+
+  /// Coefficients in the pivot at base value s; returns their error bound.
+  double contract(double s) const
+  {
+    const double lo = form_.box.lo[base_index()], hi = form_.box.hi[base_index()];
+    const double v = std::min(1.0, std::max(0.0, (s - lo) / (hi - lo))), rest = 1 - v;
+    double power = 1;
+    for (int j = 0; j <= m_; ++j) {
+      weight_[static_cast<std::size_t>(j)] = binomial<double>(m_, j) * power;
+      power *= v;
+    }
+    power = 1;
+    for (int j = m_; j >= 0; --j) {
+      weight_[static_cast<std::size_t>(j)] *= power;
+      power *= rest;
+    }
+    const double* c = form_.f.values().data();
+    const std::size_t rows = row_.size(), columns = weight_.size();
+    for (std::size_t i = 0; i < rows; ++i) row_[i] = 0;
+    if (base_ == 1) {
+      for (std::size_t i = 0; i < rows; ++i) {
+        double sum = 0;
+        for (std::size_t j = 0; j < columns; ++j) sum += c[i * columns + j] * weight_[j];
+        row_[i] = sum;
+      }
+    } else {
+      for (std::size_t j = 0; j < columns; ++j)
+        for (std::size_t i = 0; i < rows; ++i) row_[i] += c[j * rows + i] * weight_[j];
+    }
+    // Weights carry 2m+2 roundings each, the sum m more, the position v two that move it; then one Horner pass.
+    const double operations = 4.0 * m_ + 6 + 6.0 * m_ + detail::horner_operations(n_);
+    return detail::accumulated_error(form_.f.error(), operations, norm_);
+  }
+
+  void value_and_slope(double u, double& value, double& slope) const
+  {
+    value = detail::horner_value(row_.data(), n_, u);
+    if (n_ == 1) {
+      slope = row_[1] - row_[0];
+      return;
+    }
+    const bool low = u <= 0.5;
+    const double near = low ? 1 - u : u, ratio = (low ? u : 1 - u) / near;
+    double sum = 0, power = 1;
+    for (int i = n_ - 1; i >= 0; --i) {
+      const auto k = static_cast<std::size_t>(low ? i : n_ - 1 - i);
+      sum = sum * ratio + binomial<double>(n_ - 1, static_cast<int>(k)) * (row_[k + 1] - row_[k]);
+      power = i > 0 ? power * near : power;
+    }
+    slope = n_ * sum * power;
+  }
+
+  /// The same by a fresh enclosure on the thin box, then exactly.
+  Interval pivot_by_ladder(double s, double error) const
+  {
+    const double lo = form_.box.lo[pivot_index()], hi = form_.box.hi[pivot_index()];
+    Filter_counts counts;
+    const auto& equation = *form_.equation;
+    const auto thin = [&](double a, double b) {
+      Box<2> box;
+      box.lo[base_index()] = box.hi[base_index()] = s;
+      box.lo[pivot_index()] = a;
+      box.hi[pivot_index()] = b;
+      return bounded(face(equation.enclosure(box), base_, false));
+    };
+    const auto exact = [&] {
+      const Bernstein<Rational, 2> on_line = split(equation.exact().rational(), base_, Rational(s)).first;
+      const Bernstein<Scaled_integer, 1> line(face(on_line, base_, true));
+      return restrict_to(line, 0, Rational(lo), Rational(hi));
+    };
+    const Univariate f({Bernstein<double, 1>(Degrees<1>{n_}, row_), error}, lo, hi, exact, &counts, thin);
+    const Sign low = f.sign(lo), high = f.sign(hi);
+    if (low == Sign::zero) return Interval(lo);
+    if (high == Sign::zero) return Interval(hi);
+    if (low == high) throw std::logic_error("locus: an arc was asked for outside its stretch");
+    Isolated_root<double> root{lo, hi, 1, nullptr};
+    refine_root(f, root, 1e-15, 1e-13);
+    return {root.lo, root.hi};
+  }
+
+  Box<2> sub_box(const Interval& pivot_range, double s0, double s1) const
+  {
+    Box<2> box;
+    box.lo[base_index()] = s0;
+    box.hi[base_index()] = s1;
+    box.lo[pivot_index()] = pivot_range.inf();
+    box.hi[pivot_index()] = pivot_range.sup();
+    return box;
+  }
+
+  /// Enclosures of the partial derivatives over a part of the cell; nothing where the pivot's may vanish.
+  std::optional<Partials> partials(const Box<2>& box, bool second) const
+  {
+    Bernstein<Bounded, 2> f = form_.f;
+    std::array<double, 2> scale{};
+    for (std::size_t v = 0; v < 2; ++v) {
+      const double width = form_.box.hi[v] - form_.box.lo[v];
+      const double a = (box.lo[v] - form_.box.lo[v]) / width, b = (box.hi[v] - form_.box.lo[v]) / width;
+      // Outward by a few roundings, so that the part surely covers the box; never thinner than that.
+      const double slack = 8 * operation_error, lo = std::max(0.0, a - slack), hi = std::min(1.0, b + slack);
+      if (lo > 0 || hi < 1) f = restrict_to(f, static_cast<int>(v), lo, hi);
+      scale[v] = (hi - lo) * width;
+    }
+    const auto range = [&](const Bernstein<Bounded, 2>& g, double unit) {
+      const auto& c = g.values().coefficients();
+      const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
+      return (Interval(*least, *greatest) + Interval(-g.error(), g.error())) / Interval(unit);
+    };
+    const double sp = scale[pivot_index()], sb = scale[base_index()];
+    const Bernstein<Bounded, 2> dp = derivative(f, pivot_), db = derivative(f, base_);
+    Partials d;
+    d.f_pivot = range(dp, sp);
+    if (contains_zero(d.f_pivot)) return std::nullopt;
+    d.f_base = range(db, sb);
+    if (second) {
+      d.f_pp = range(derivative(dp, pivot_), sp) / Interval(sp);
+      d.f_pb = range(derivative(dp, base_), sp) / Interval(sb);
+      d.f_bb = range(derivative(db, base_), sb) / Interval(sb);
+    }
+    return d;
+  }
+
+  const Curve_graph::Cell_form& form_;
+  int base_, pivot_, n_, m_;
+  double norm_;
+  mutable std::vector<double> row_, weight_;
+};
+
+} // namespace locus
+
+#endif
