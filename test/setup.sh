@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-# Sourced by the scripts: installs what is missing of test/packages.txt, and knows how wide to build.
+# Sourced by the scripts: installs what is missing of test/packages.txt, and knows how wide to build (LOCUS_JOBS, or all
+# processors).
 
 locus_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 jobs=${LOCUS_JOBS:-$(nproc 2>/dev/null || echo 2)}

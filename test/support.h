@@ -98,7 +98,7 @@ public:
   /// A rational in [0, 1]; now and then an end or the middle.
   Rational unit_rational()
   {
-    if (chance(15)) return Rational(below(3), 2);
+    if (chance(15)) return Rational(below(3)) / 2;
     const int width = between(1, 40);
     Integer p = abs(integer(width));
     Rational x(p, Integer(Integer(1) << static_cast<unsigned>(width)) + 1);
@@ -118,7 +118,7 @@ public:
     case Size::integers: return static_cast<double>(between(-3, 3));
     case Size::plain: return symmetric();
     case Size::tiny: return symmetric() * 1e-160;
-    case Size::subnormal: return symmetric() * 1e-310;
+    case Size::subnormal: return symmetric() * (chance(50) ? 1e-310 : 1e-321);
     case Size::large: return symmetric() * 1e150;
     default: return std::ldexp(symmetric(), between(-400, 400));
     }

@@ -5,6 +5,8 @@
 #include <locus/function/binomial.h>
 #include <locus/number/bounded.h>
 
+#include <vector>
+
 namespace locus {
 
 namespace detail {
@@ -21,6 +23,39 @@ inline double horner_value(const double* c, int n, double u, std::size_t stride 
     power = i > 0 ? power * near : power;
   }
   return sum * power;
+}
+
+/// Fills `weight` with the Bernstein basis of degree n at u in [0,1].
+inline void bernstein_weights(int n, double u, double* weight)
+{
+  double power = 1;
+  for (int i = 0; i <= n; ++i, power *= u) weight[i] = binomial<double>(n, i) * power;
+  power = 1;
+  for (int i = n; i >= 0; --i, power *= 1 - u) weight[i] *= power;
+}
+
+/// Value of a tensor product of degrees n, m at (u, v) in the unit square; at most 6(n+m)+8 roundings a term.
+inline double tensor_value(const double* c, int n, int m, double u, double v)
+{
+  constexpr int small = 64;
+  double stack[2 * small];
+  std::vector<double> heap;
+  double* weights = stack;
+  if (n >= small || m >= small) {
+    heap.resize(static_cast<std::size_t>(n + m) + 2);
+    weights = heap.data();
+  }
+  double* const row = weights;
+  double* const column = weights + n + 1;
+  bernstein_weights(n, u, row);
+  bernstein_weights(m, v, column);
+  double sum = 0;
+  for (int i = 0; i <= n; ++i) {
+    double inner = 0;
+    for (int j = 0; j <= m; ++j) inner += *c++ * column[j];
+    sum += row[i] * inner;
+  }
+  return sum;
 }
 
 /// Rounding operations that `horner_value` can accumulate, relative to the greatest coefficient: every term is a mean

@@ -40,11 +40,15 @@ private:
 
 namespace detail {
 
+/// Magnitude from which on intermediate results (scaled by binomials) might overflow: no bound is claimed there.
+inline constexpr double overflow_guard = 0x1p900;
+
 /// Error bound after an operation: what the operands carried, `operations` roundings at magnitude `norm`, and
-/// underflow; inflated against the roundings of this very expression.
-inline double accumulated_error(double inherited, double operations, double norm)
+/// underflow, all enlarged at most by `growth`; inflated against the roundings of this very expression.
+inline double accumulated_error(double inherited, double operations, double norm, double growth = 1)
 {
-  return (inherited + operations * (operation_error * norm + underflow_error)) * (1 + 8 * operation_error);
+  if (!(norm * growth < overflow_guard)) return std::numeric_limits<double>::infinity();
+  return (inherited + operations * (operation_error * norm + underflow_error)) * growth * (1 + 8 * operation_error);
 }
 
 } // namespace detail
@@ -88,8 +92,9 @@ Bernstein<Bounded, D> multiply(const Bernstein<Bounded, D>& f, const Bernstein<B
   int large_binomials = 0;
   for (int k = 0; k < D; ++k)
     if (f.degree(k) + g.degree(k) > detail::last_exact_binomial_row) large_binomials += 3;
-  return {multiply(f.values(), g.values()),
-          detail::accumulated_error(f.error() * ng + nf * g.error(), terms + 4 + 6 * D + large_binomials, nf * ng)};
+  double error = detail::accumulated_error(f.error() * ng + nf * g.error(), terms + 4 + 6 * D + large_binomials, nf * ng);
+  if (!(std::max(nf, ng) < detail::overflow_guard)) error = std::numeric_limits<double>::infinity();
+  return {multiply(f.values(), g.values()), error};
 }
 
 template <int D>
@@ -111,7 +116,7 @@ std::pair<Bernstein<Bounded, D>, Bernstein<Bounded, D>> split(const Bernstein<Bo
   auto [left, right] = split(f.values(), variable, at);
   // Outside [0,1] the combination is no longer a mean: each level may enlarge coefficients and their errors.
   const double growth = std::pow(std::max(1.0, std::abs(at) + std::abs(1 - at)), f.degree(variable));
-  const double error = detail::accumulated_error(f.error() * growth, 4.0 * f.degree(variable), f.norm() * growth);
+  const double error = detail::accumulated_error(f.error(), 4.0 * f.degree(variable), f.norm(), growth);
   return {{std::move(left), error}, {std::move(right), error}};
 }
 
@@ -142,7 +147,7 @@ Bounded evaluate(const Bernstein<Bounded, D>& f, const std::array<double, static
     operations += 4.0 * f.degree(k);
     growth *= std::pow(std::max(1.0, std::abs(u) + std::abs(1 - u)), f.degree(k));
   }
-  return {evaluate(f.values(), point), detail::accumulated_error(f.error() * growth, operations, f.norm() * growth)};
+  return {evaluate(f.values(), point), detail::accumulated_error(f.error(), operations, f.norm(), growth)};
 }
 
 /// f(g_1, …, g_D) with the bound obtained by running the interval version (upward rounding needed).

@@ -31,11 +31,13 @@ inline Sign sign_of(double value, double error)
 
 inline Sign sign_of(const Bounded& x) { return sign_of(x.value, x.error); }
 
-/// Midpoint and radius of an interval. The radius is rounded to the safe side in every mode.
+/// Midpoint and radius of an interval. The radius is rounded to the safe side in every mode; it is infinite, never
+/// NaN, where it overflows.
 inline Bounded bounded(const Interval& x)
 {
   const double mid = midpoint(x);
   const double radius = std::max(x.sup() - mid, mid - x.inf());
+  if (!std::isfinite(mid) || !std::isfinite(radius)) return {0, std::numeric_limits<double>::infinity()};
   return {mid, radius * (1 + 4 * operation_error) + (radius > 0 ? underflow_error : 0.0)};
 }
 

@@ -68,9 +68,9 @@ public:
     Interval range = hull(at_s0, at_s1);
     std::optional<Dependent_jet> jet;
     for (int pass = 0; pass < 2; ++pass) {
-      const auto slopes = pass == 0 ? partials(form_.box, false) : partials(sub_box(range, s0, s1), true);
-      if (!slopes) return jet;
-      const Interval slope = -slopes->f_base / slopes->f_pivot;
+      const auto slopes = pass == 0 ? std::nullopt : partials(sub_box(range, s0, s1), true);
+      if (pass == 1 && !slopes) return jet;
+      const Interval slope = pass == 0 ? cell_slope() : -slopes->f_base / slopes->f_pivot;
       const double growth = (Interval(magnitude(slope)) * ds).sup() * 0.5;
       Interval wider = hull(at_s0, at_s1) + Interval(-growth, growth);
       wider = Interval(std::max(wider.inf(), form_.box.lo[p]), std::min(wider.sup(), form_.box.hi[p]));
@@ -92,6 +92,22 @@ public:
   }
 
 private:
+  /// Slope of the pivot by the base variable over the whole cell, from the coefficients' differences.
+  const Interval& cell_slope() const
+  {
+    if (!cell_slope_) {
+      const auto range = [&](int v) {
+        const Bernstein<Bounded, 2> d = derivative(form_.f, v);
+        const auto& c = d.values().coefficients();
+        const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
+        return (Interval(*least, *greatest) + Interval(-d.error(), d.error())) / Interval(form_.box.width(v));
+      };
+      const Interval by_pivot = range(pivot_);
+      cell_slope_ = contains_zero(by_pivot) ? Interval(-HUGE_VAL, HUGE_VAL) : -range(base_) / by_pivot;
+    }
+    return *cell_slope_;
+  }
+
   struct Partials {
     Interval f_pivot, f_base, f_pp, f_pb, f_bb;
   };
@@ -103,17 +119,8 @@ private:
   double contract(double s) const
   {
     const double lo = form_.box.lo[base_index()], hi = form_.box.hi[base_index()];
-    const double v = std::min(1.0, std::max(0.0, (s - lo) / (hi - lo))), rest = 1 - v;
-    double power = 1;
-    for (int j = 0; j <= m_; ++j) {
-      weight_[static_cast<std::size_t>(j)] = binomial<double>(m_, j) * power;
-      power *= v;
-    }
-    power = 1;
-    for (int j = m_; j >= 0; --j) {
-      weight_[static_cast<std::size_t>(j)] *= power;
-      power *= rest;
-    }
+    const double v = std::min(1.0, std::max(0.0, (s - lo) / (hi - lo)));
+    detail::bernstein_weights(m_, v, weight_.data());
     const double* c = form_.f.values().data();
     const std::size_t rows = row_.size(), columns = weight_.size();
     for (std::size_t i = 0; i < rows; ++i) row_[i] = 0;
@@ -188,42 +195,73 @@ private:
     return box;
   }
 
+  /// A polynomial on the cell with bounds of its slopes, for enclosures over small boxes by value and slope.
+  struct Surface {
+    Bernstein<Bounded, 2> f;
+    double error = 0;
+    std::array<double, 2> slope{};
+
+    Surface() = default;
+    explicit Surface(Bernstein<Bounded, 2> g) : f(std::move(g))
+    {
+      const double operations = 6.0 * (f.degree(0) + f.degree(1)) + 12;
+      error = detail::accumulated_error(f.error(), operations, f.norm());
+      for (int v = 0; v < 2; ++v) slope[static_cast<std::size_t>(v)] = f.degree(v) == 0 ? 0.0 : derivative(f, v).norm();
+    }
+
+    Interval over(const std::array<double, 2>& centre, const std::array<double, 2>& radius) const
+    {
+      const double value = detail::tensor_value(f.values().data(), f.degree(0), f.degree(1), centre[0], centre[1]);
+      // The bound of rounding also covers the few roundings in `centre`, by the slopes.
+      const double r = error + slope[0] * (radius[0] + 4 * operation_error) + slope[1] * (radius[1] + 4 * operation_error);
+      return Interval(value) + Interval(-r, r);
+    }
+  };
+
+  struct Surfaces {
+    Surface p, b, pp, pb, bb;
+  };
+
+  const Surfaces& surfaces() const
+  {
+    if (!surfaces_) {
+      const Bernstein<Bounded, 2> dp = derivative(form_.f, pivot_), db = derivative(form_.f, base_);
+      surfaces_ = Surfaces{Surface(dp), Surface(db), Surface(derivative(dp, pivot_)), Surface(derivative(dp, base_)),
+                           Surface(derivative(db, base_))};
+    }
+    return *surfaces_;
+  }
+
   /// Enclosures of the partial derivatives over a part of the cell; nothing where the pivot's may vanish.
   std::optional<Partials> partials(const Box<2>& box, bool second) const
   {
-    Bernstein<Bounded, 2> f = form_.f;
-    std::array<double, 2> scale{};
+    const Surfaces& d = surfaces();
+    std::array<double, 2> centre, radius, width;
     for (std::size_t v = 0; v < 2; ++v) {
-      const double width = form_.box.hi[v] - form_.box.lo[v];
-      const double a = (box.lo[v] - form_.box.lo[v]) / width, b = (box.hi[v] - form_.box.lo[v]) / width;
-      // Outward by a few roundings, so that the part surely covers the box; never thinner than that.
-      const double slack = 8 * operation_error, lo = std::max(0.0, a - slack), hi = std::min(1.0, b + slack);
-      if (lo > 0 || hi < 1) f = restrict_to(f, static_cast<int>(v), lo, hi);
-      scale[v] = (hi - lo) * width;
+      width[v] = form_.box.hi[v] - form_.box.lo[v];
+      const double lo = std::max(0.0, (box.lo[v] - form_.box.lo[v]) / width[v]), hi = std::min(1.0, (box.hi[v] - form_.box.lo[v]) / width[v]);
+      centre[v] = std::min(1.0, 0.5 * (lo + hi));
+      radius[v] = std::max(0.0, 0.5 * (hi - lo)) * (1 + 8 * operation_error);
     }
-    const auto range = [&](const Bernstein<Bounded, 2>& g, double unit) {
-      const auto& c = g.values().coefficients();
-      const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
-      return (Interval(*least, *greatest) + Interval(-g.error(), g.error())) / Interval(unit);
-    };
-    const double sp = scale[pivot_index()], sb = scale[base_index()];
-    const Bernstein<Bounded, 2> dp = derivative(f, pivot_), db = derivative(f, base_);
-    Partials d;
-    d.f_pivot = range(dp, sp);
-    if (contains_zero(d.f_pivot)) return std::nullopt;
-    d.f_base = range(db, sb);
+    const double wp = width[pivot_index()], wb = width[base_index()];
+    Partials result;
+    result.f_pivot = d.p.over(centre, radius) / Interval(wp);
+    if (contains_zero(result.f_pivot)) return std::nullopt;
+    result.f_base = d.b.over(centre, radius) / Interval(wb);
     if (second) {
-      d.f_pp = range(derivative(dp, pivot_), sp) / Interval(sp);
-      d.f_pb = range(derivative(dp, base_), sp) / Interval(sb);
-      d.f_bb = range(derivative(db, base_), sb) / Interval(sb);
+      result.f_pp = d.pp.over(centre, radius) / Interval(wp) / Interval(wp);
+      result.f_pb = d.pb.over(centre, radius) / Interval(wp) / Interval(wb);
+      result.f_bb = d.bb.over(centre, radius) / Interval(wb) / Interval(wb);
     }
-    return d;
+    return result;
   }
 
   const Curve_graph::Cell_form& form_;
   int base_, pivot_, n_, m_;
   double norm_;
   mutable std::vector<double> row_, weight_;
+  mutable std::optional<Surfaces> surfaces_;
+  mutable std::optional<Interval> cell_slope_;
 };
 
 } // namespace locus

@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRUCT_PLANAR_ARC_H
+#define LOCUS_CONSTRUCT_PLANAR_ARC_H
+
+#include <locus/construct/bisector_map_2.h>
+#include <locus/construct/locus.h>
+#include <locus/shape/frame.h>
+#include <locus/zero_set/piece_evaluation.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace locus {
+
+/// Everything that the arcs of one planar bisector share: immutable once made.
+struct Planar_solution {
+  Frame<2> frame;
+  Bisector_map_2 map;
+  std::array<Piece, 2> domain; ///< of both inputs' parameters
+  Curve_graph graph;
+  double scale = 1;            ///< diameter of the inputs, in the frame
+  double cut_radius = 10;      ///< in the frame, from `centre`
+  Vector_2<double> centre;     ///< of the inputs' bounding box, in the frame
+};
+
+namespace detail {
+
+/// A point of an arc during evaluation, in the frame and on the unit cell.
+struct Placed {
+  std::array<Interval, 2> at; ///< unit parameters
+  Vector_2<Interval> point;
+  Interval radius;
+};
+
+inline Placed place(const Planar_solution& s, const std::array<Interval, 2>& at)
+{
+  const Map_formula formula = s.map.choose(midpoint(at[0]), midpoint(at[1]));
+  const auto image = s.map.at(at[0], at[1], formula);
+  const Vector_2<Interval> arm = image.point - image.first_foot;
+  return {at, image.point, CGAL::sqrt(CGAL::square(arm.x) + CGAL::square(arm.y))};
+}
+
+inline double diameter(const Vector_2<Interval>& box) { return std::hypot(width(box.x), width(box.y)) * (1 + 8 * operation_error); }
+
+inline Range range_of_parameter(const Piece& domain, const Interval& u)
+{
+  const Interval lo = enclosing(domain.lo), hi = enclosing(domain.hi);
+  if (u.inf() == 0 && u.sup() == 0) return {lo.inf(), lo.sup()};
+  if (u.inf() == 1 && u.sup() == 1) return {hi.inf(), hi.sup()};
+  const Interval p = domain.lo == 0 && domain.hi == 1 ? u : lo + u * (hi - lo);
+  return {std::max(p.inf(), lo.inf()), std::min(p.sup(), hi.sup())};
+}
+
+/// The point in the user's coordinates, with a proved bound of the printed doubles' distance from the exact one.
+inline Arc_point<2> finished(const Planar_solution& s, const Placed& p)
+{
+  Approximate_point<2> point;
+  double error = 0;
+  const std::array<Interval, 2> xy{s.frame.out_of(p.point.x, 0), s.frame.out_of(p.point.y, 1)};
+  for (std::size_t k = 0; k < 2; ++k) {
+    point[k] = midpoint(xy[k]);
+    error = std::hypot(error, std::max(xy[k].sup() - point[k], point[k] - xy[k].inf()));
+  }
+  const Interval radius = s.frame.length(p.radius);
+  return {{range_of_parameter(s.domain[0], p.at[0]), range_of_parameter(s.domain[1], p.at[1])}, point,
+          std::max(0.0, midpoint(radius)), error * (1 + 8 * operation_error)};
+}
+
+/// One arc of a planar bisector, evaluated on the cells of its zero set.
+class Planar_arc final : public Arc_geometry<2> {
+public:
+  Planar_arc(std::shared_ptr<const Planar_solution> solution, std::size_t arc) : s_(std::move(solution)), arc_(arc) {}
+
+  Arc_point<2> at(double x) const override
+  {
+    return with_upward_rounding([&] {
+      const auto [step, f] = locate(x);
+      return finished(*s_, placed_at(step, f));
+    });
+  }
+
+  Arc_differential<2> differential(double x) const override
+  {
+    return with_upward_rounding([&] { return differential_at(x); });
+  }
+
+  std::vector<Arc_point<2>> samples(std::size_t n) const override
+  {
+    return with_upward_rounding([&] { return spread(std::max<std::size_t>(n, 2)); });
+  }
+
+  Polyline<2> polyline(double relative_tolerance) const override
+  {
+    return with_upward_rounding([&] { return polyline_within(relative_tolerance); });
+  }
+
+  std::vector<Arc_point<2>> irregular() const override
+  {
+    return with_upward_rounding([&] { return find_irregular(); });
+  }
+
+private:
+  /// A step of the arc with the part of its base range that lies within the cut radius.
+  struct Stretch {
+    const Graph_piece* piece = nullptr;
+    const Curve_graph::Cell_form* form = nullptr;
+    bool reversed = false;
+    Interval lo, hi;                    ///< base values at the piece's own ends
+    bool lo_cut = false, hi_cut = false; ///< an end is a pole: `lo` or `hi` has been moved inward to a finite point
+  };
+
+  const Graph_arc& graph_arc() const { return s_->graph.arcs[arc_]; }
+  const Graph_vertex& vertex(std::size_t v) const { return s_->graph.vertices[v]; }
+
+  static bool is_pole(const Graph_vertex& v) { return v.kind == Graph_vertex::Kind::mark || v.is_mark; }
+
+  std::array<Interval, 2> parameters(const Piece_evaluator& e, double base, double guess) const
+  {
+    std::array<Interval, 2> at;
+    at[static_cast<std::size_t>(e.base())] = Interval(base);
+    at[static_cast<std::size_t>(e.pivot())] = e.pivot_at(base, guess);
+    return at;
+  }
+
+  Stretch stretch(std::size_t step) const
+  {
+    const auto& [p, reversed] = graph_arc().steps[step];
+    Stretch s;
+    s.piece = &s_->graph.pieces[p];
+    s.form = &s_->graph.forms[p];
+    s.reversed = reversed;
+    if (s.piece->is_half_branch) return s;
+    const auto base = static_cast<std::size_t>(s.piece->base);
+    const Graph_vertex &from = vertex(s.piece->from), &to = vertex(s.piece->to);
+    s.lo = from.at[base];
+    s.hi = to.at[base];
+    if (!is_pole(from) && !is_pole(to)) return s;
+    const Piece_evaluator e(*s.form, s.piece->base);
+    const double middle = 0.5 * (s.lo.sup() + s.hi.inf());
+    if (is_pole(from)) {
+      s.lo = Interval(cut_position(e, from, s.lo, middle));
+      s.lo_cut = true;
+    }
+    if (is_pole(to)) {
+      s.hi = Interval(cut_position(e, to, s.hi, middle));
+      s.hi_cut = true;
+    }
+    return s;
+  }
+
+  /// A base value near a pole beyond which (towards the pole) the arc provably stays outside the cut radius.
+  double cut_position(const Piece_evaluator& e, const Graph_vertex& pole, const Interval& at, double middle) const
+  {
+    const auto pivot = static_cast<std::size_t>(e.pivot()), base = static_cast<std::size_t>(e.base());
+    const bool above = middle > at.sup();
+    const double edge = above ? at.sup() : at.inf();
+    double position = middle;
+    for (int k = 0; k < 50; ++k, position = 0.5 * (position + edge)) {
+      if (position == edge) break;
+      const Interval here = e.pivot_at(position, midpoint(pole.at[pivot]));
+      const double lo = above ? at.inf() : position, hi = above ? position : at.sup();
+      const auto jet = above ? e.jet_over(lo, hi, pole.at[pivot], here) : e.jet_over(lo, hi, here, pole.at[pivot]);
+      if (!jet) continue;
+      std::array<Interval, 2> tail;
+      tail[pivot] = jet->value;
+      tail[base] = Interval(lo, hi);
+      const Vector_2<Interval> foot = s_->map.first().point(tail[0]);
+      const double off = std::hypot(magnitude(foot.x - Interval(s_->centre.x)), magnitude(foot.y - Interval(s_->centre.y)));
+      if (s_->map.least_radius(tail[0], tail[1]) > (s_->cut_radius + off) * (1 + 8 * operation_error)) return position;
+    }
+    return position;
+  }
+
+  // ------------------------------------------------------------------------------------------ single points
+
+  std::pair<std::size_t, double> locate(double x) const
+  {
+    const auto n = graph_arc().steps.size();
+    const double y = std::min(1.0, std::max(0.0, x)) * static_cast<double>(n);
+    const std::size_t step = std::min(n - 1, static_cast<std::size_t>(y));
+    return {step, y - static_cast<double>(step)};
+  }
+
+  Placed placed_at(std::size_t step, double f) const { return placed_on(stretch(step), f, nullptr); }
+
+  /// The point at fraction f along the arc's direction; `guess`, if given, starts the search and is updated.
+  Placed placed_on(const Stretch& s, double f, double* guess) const
+  {
+    const double g = s.reversed ? 1 - f : f;
+    if (g <= 0 && !s.lo_cut) return place(*s_, vertex(s.piece->from).at);
+    if (g >= 1 && !s.hi_cut) return place(*s_, vertex(s.piece->to).at);
+    if (s.piece->is_half_branch) return on_half_branch(s, g);
+    const Piece_evaluator e(*s.form, s.piece->base);
+    return placed_between(s, e, g, guess);
+  }
+
+  Placed placed_between(const Stretch& s, const Piece_evaluator& e, double g, double* guess) const
+  {
+    double base = s.lo.sup() + g * (s.hi.inf() - s.lo.sup());
+    base = std::min(s.hi.inf(), std::max(s.lo.sup(), base));
+    const auto pivot = static_cast<std::size_t>(e.pivot());
+    const double start = guess && *guess >= 0 ? *guess
+                         : midpoint(vertex(s.piece->from).at[pivot]) * (1 - g) + midpoint(vertex(s.piece->to).at[pivot]) * g;
+    const auto at = parameters(e, base, start);
+    if (guess) *guess = midpoint(at[pivot]);
+    return place(*s_, at);
+  }
+
+  /// Inside a node's cell, no wider than `Solve_control::node_width`, the branch is only enclosed: by the whole cell.
+  Placed on_half_branch(const Stretch& s, double g) const
+  {
+    Placed p = place(*s_, vertex(g < 0.5 ? s.piece->from : s.piece->to).at);
+    for (std::size_t v = 0; v < 2; ++v) p.at[v] = hull(p.at[v], Interval(s.form->box.lo[v], s.form->box.hi[v]));
+    const Placed all = place(*s_, p.at);
+    p.point = {hull(p.point.x, all.point.x), hull(p.point.y, all.point.y)};
+    return p;
+  }
+
+  std::vector<Arc_point<2>> spread(std::size_t n) const
+  {
+    std::vector<Stretch> stretches;
+    std::vector<double> end{0};
+    for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) {
+      stretches.push_back(stretch(k));
+      const Stretch& s = stretches.back();
+      const double length = s.piece->is_half_branch ? 0.0 : std::max(0.0, s.hi.sup() - s.lo.inf());
+      end.push_back(end.back() + length);
+    }
+    std::vector<Arc_point<2>> points;
+    points.reserve(n);
+    std::size_t k = 0;
+    double guess = -1;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double x = end.back() * static_cast<double>(i) / static_cast<double>(n - 1);
+      while (k + 1 < stretches.size() && x > end[k + 1]) {
+        ++k;
+        guess = -1;
+      }
+      const double length = end[k + 1] - end[k];
+      double f = length > 0 ? std::min(1.0, (x - end[k]) / length) : 0.0;
+      if (i + 1 == n) {
+        k = stretches.size() - 1;
+        f = 1;
+      }
+      points.push_back(finished(*s_, placed_on(stretches[k], i == 0 ? 0.0 : f, &guess)));
+    }
+    return points;
+  }
+
+  // ----------------------------------------------------------------------------------------------- polyline
+
+  /// A node of the polyline on one piece: base value (enclosed), parameters, point.
+  struct Knot {
+    Interval base;
+    Placed placed;
+  };
+
+  /// Jets of both parameters by the base variable over [a.base, b.base].
+  std::optional<std::array<Jet<Interval>, 2>> parameter_jets(const Piece_evaluator& e, const Knot& a, const Knot& b) const
+  {
+    const auto pivot = static_cast<std::size_t>(e.pivot()), base = static_cast<std::size_t>(e.base());
+    const double s0 = a.base.inf(), s1 = b.base.sup();
+    const auto jet = e.jet_over(s0, s1, a.placed.at[pivot], b.placed.at[pivot]);
+    if (!jet) return std::nullopt;
+    std::array<Jet<Interval>, 2> result;
+    result[base] = {Interval(s0, s1), Interval(1), Interval(0)};
+    result[pivot] = {jet->value, jet->first, jet->second};
+    return result;
+  }
+
+  /// Proved bound of the distance between the arc from a to b and its chord: h²/8 times the greatest second derivative
+  /// (same parameter on both, so it holds both ways), and the knots' own errors. Infinite where nothing is proved.
+  double chord_error(const Piece_evaluator& e, const Knot& a, const Knot& b) const
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const auto jets = parameter_jets(e, a, b);
+    if (!jets) return infinite;
+    const Map_formula formula = s_->map.choose(midpoint((*jets)[0].value), midpoint((*jets)[1].value));
+    const auto image = s_->map.at((*jets)[0], (*jets)[1], formula);
+    const double bend = std::hypot(magnitude(image.point.x.second), magnitude(image.point.y.second));
+    const double h = b.base.sup() - a.base.inf();
+    const double bound = bend * h * h * 0.125 * (1 + 16 * operation_error);
+    return std::isfinite(bound) ? bound : infinite;
+  }
+
+  struct Draft {
+    std::vector<Placed> points;
+    double bend = 0;
+    double tolerance = 0;
+  };
+
+  void draw_between(const Piece_evaluator& e, const Knot& a, const Knot& b, int depth, Draft& draft, bool reversed) const
+  {
+    const double error = chord_error(e, a, b);
+    const double h = b.base.inf() - a.base.sup();
+    if (error <= draft.tolerance || depth >= 24 || !(h > 0x1p-50)) {
+      draft.bend = std::max(draft.bend, error);
+      draft.points.push_back(reversed ? a.placed : b.placed);
+      return;
+    }
+    const double wanted = std::isfinite(error) ? std::ceil(1.1 * std::sqrt(error / draft.tolerance)) : 4.0;
+    const int parts = static_cast<int>(std::min(16.0, std::max(2.0, wanted)));
+    const auto pivot = static_cast<std::size_t>(e.pivot());
+    std::vector<Knot> knots{a};
+    for (int k = 1; k < parts; ++k) {
+      const double base = a.base.sup() + h * k / parts;
+      knots.push_back({Interval(base), place(*s_, parameters(e, base, midpoint(knots.back().placed.at[pivot])))});
+    }
+    knots.push_back(b);
+    for (int k = 0; k < parts; ++k) {
+      const auto i = static_cast<std::size_t>(reversed ? parts - 1 - k : k);
+      draw_between(e, knots[i], knots[i + 1], depth + 1, draft, reversed);
+    }
+  }
+
+  Knot knot_at(const Stretch& s, const Piece_evaluator& e, bool high) const
+  {
+    const bool cut = high ? s.hi_cut : s.lo_cut;
+    const Interval& base = high ? s.hi : s.lo;
+    if (!cut) return {base, place(*s_, vertex(high ? s.piece->to : s.piece->from).at)};
+    const auto pivot = static_cast<std::size_t>(e.pivot());
+    const double guess = midpoint(vertex(high ? s.piece->to : s.piece->from).at[pivot]);
+    return {base, place(*s_, parameters(e, base.inf(), guess))};
+  }
+
+  Polyline<2> polyline_within(double relative_tolerance) const
+  {
+    Draft draft;
+    draft.tolerance = std::max(relative_tolerance, 0x1p-60) * s_->scale;
+    for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) {
+      const Stretch s = stretch(k);
+      if (s.piece->is_half_branch) {
+        const Placed whole = on_half_branch(s, 0);
+        draft.bend = std::max(draft.bend, diameter(whole.point));
+        const Placed ends[2] = {place(*s_, vertex(s.piece->from).at), place(*s_, vertex(s.piece->to).at)};
+        if (draft.points.empty()) draft.points.push_back(ends[s.reversed ? 1 : 0]);
+        draft.points.push_back(ends[s.reversed ? 0 : 1]);
+        continue;
+      }
+      const Piece_evaluator e(*s.form, s.piece->base);
+      const Knot a = knot_at(s, e, false), b = knot_at(s, e, true);
+      if (draft.points.empty()) draft.points.push_back(s.reversed ? b.placed : a.placed);
+      draw_between(e, a, b, 0, draft, s.reversed);
+    }
+    std::vector<Arc_point<2>> points;
+    points.reserve(draft.points.size());
+    double rounding = 0;
+    for (const Placed& p : draft.points) {
+      points.push_back(finished(*s_, p));
+      rounding = std::max(rounding, points.back().error());
+    }
+    const double bend = s_->frame.length(Interval(0, draft.bend)).sup();
+    return {std::move(points), bend + rounding};
+  }
+
+  // ---------------------------------------------------------------------------------- differential geometry
+
+  Arc_differential<2> differential_at(double x) const
+  {
+    const auto [step, f] = locate(x);
+    Stretch s = stretch(step);
+    for (std::size_t k = step; s.piece->is_half_branch && k-- > 0;) s = stretch(k);
+    for (std::size_t k = step; s.piece->is_half_branch && ++k < graph_arc().steps.size();) s = stretch(k);
+    if (s.piece->is_half_branch) throw std::logic_error("locus: an arc inside one node's cell has no certified tangent");
+    const Piece_evaluator e(*s.form, s.piece->base);
+    const double g = std::min(1 - 1e-9, std::max(1e-9, s.reversed ? 1 - f : f));
+    const double base = s.lo.sup() + g * (s.hi.inf() - s.lo.sup());
+    const auto pivot = static_cast<std::size_t>(e.pivot());
+    const Knot k{Interval(base), place(*s_, parameters(e, base, midpoint(vertex(s.piece->from).at[pivot])))};
+    const auto jets = parameter_jets(e, k, k);
+    if (!jets) throw std::logic_error("locus: a graph cell without slope");
+    const auto image = s_->map.at((*jets)[0], (*jets)[1], s_->map.choose(midpoint(k.placed.at[0]), midpoint(k.placed.at[1])));
+    const Vector_2<double> d{midpoint(image.point.x.first), midpoint(image.point.y.first)};
+    const Vector_2<double> dd{midpoint(image.point.x.second), midpoint(image.point.y.second)};
+    const double speed = std::sqrt(dot(d, d)), sign = s.reversed ? -1 : 1;
+    Arc_differential<2> result;
+    result.tangent[0] = sign * d.x / speed;
+    result.tangent[1] = sign * d.y / speed;
+    result.curvature = std::ldexp(sign * cross(d, dd) / (speed * speed * speed), static_cast<int>(-s_->frame.exponent));
+    return result;
+  }
+
+  /// Zeros of the derivative of the pivot along each piece: there one foot stands still. Pieces are halved until the
+  /// derivative has one sign, or changes it where its own derivative has one.
+  std::vector<Arc_point<2>> find_irregular() const
+  {
+    std::vector<Arc_point<2>> found;
+    for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) {
+      const Stretch s = stretch(k);
+      if (s.piece->is_half_branch) continue;
+      const Piece_evaluator e(*s.form, s.piece->base);
+      std::vector<Arc_point<2>> here;
+      search_irregular(e, knot_at(s, e, false), knot_at(s, e, true), 0, here);
+      if (s.reversed) std::reverse(here.begin(), here.end());
+      found.insert(found.end(), here.begin(), here.end());
+    }
+    return found;
+  }
+
+  void search_irregular(const Piece_evaluator& e, const Knot& a, const Knot& b, int depth, std::vector<Arc_point<2>>& found) const
+  {
+    const auto jets = parameter_jets(e, a, b);
+    const auto pivot = static_cast<std::size_t>(e.pivot());
+    if (jets && !contains_zero((*jets)[pivot].first)) return;
+    const double h = b.base.inf() - a.base.sup();
+    const bool monotone = jets && !contains_zero((*jets)[pivot].second);
+    if (monotone && slope_sign(e, a) * slope_sign(e, b) != Sign::negative && slope_sign(e, a) != Sign::zero) return;
+    if (depth >= 46 || !(h > 0x1p-44)) {
+      if (found.empty() || depth < 46) found.push_back(finished(*s_, a.placed));
+      return;
+    }
+    const double base = a.base.sup() + 0.5 * h;
+    const Knot m{Interval(base), place(*s_, parameters(e, base, midpoint(a.placed.at[pivot])))};
+    if (monotone) {
+      const Sign at_m = slope_sign(e, m);
+      if (at_m == Sign::unknown || at_m == Sign::zero) {
+        found.push_back(finished(*s_, m.placed));
+        return;
+      }
+      if (at_m == slope_sign(e, a)) search_irregular(e, m, b, depth + 1, found);
+      else search_irregular(e, a, m, depth + 1, found);
+      return;
+    }
+    search_irregular(e, a, m, depth + 1, found);
+    search_irregular(e, m, b, depth + 1, found);
+  }
+
+  Sign slope_sign(const Piece_evaluator& e, const Knot& k) const
+  {
+    const auto jets = parameter_jets(e, k, k);
+    return jets ? sign_of((*jets)[static_cast<std::size_t>(e.pivot())].first) : Sign::unknown;
+  }
+
+  std::shared_ptr<const Planar_solution> s_;
+  std::size_t arc_;
+};
+
+} // namespace detail
+} // namespace locus
+
+#endif
