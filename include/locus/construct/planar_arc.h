@@ -12,11 +12,29 @@
 
 namespace locus {
 
+/// The values of a parameter that the unit interval stands for, enclosed.
+struct Parameter_range {
+  Interval lo = Interval(0), hi = Interval(1);
+
+  Parameter_range() = default;
+  explicit Parameter_range(const Piece& piece) : lo(enclosing(piece.lo)), hi(enclosing(piece.hi)) {}
+
+  Range at(const Interval& u) const
+  {
+    if (u.sup() == 0) return {lo.inf(), lo.sup()};
+    if (u.inf() == 1) return {hi.inf(), hi.sup()};
+    const bool unit = lo.inf() == 0 && lo.sup() == 0 && hi.inf() == 1 && hi.sup() == 1;
+    const Interval p = unit ? u : lo + u * (hi - lo);
+    return {std::max(p.inf(), lo.inf()), std::min(p.sup(), hi.sup())};
+  }
+};
+
 /// Everything that the arcs of one planar bisector share: immutable once made.
 struct Planar_solution {
   Frame<2> frame;
+  std::array<Interval, 2> origin; ///< of the frame
   Bisector_map_2 map;
-  std::array<Piece, 2> domain; ///< of both inputs' parameters
+  std::array<Parameter_range, 2> domain; ///< of both inputs' parameters
   Curve_graph graph;
   double scale = 1;            ///< diameter of the inputs, in the frame
   double cut_radius = 10;      ///< in the frame, from `centre`
@@ -42,27 +60,18 @@ inline Placed place(const Planar_solution& s, const std::array<Interval, 2>& at)
 
 inline double diameter(const Vector_2<Interval>& box) { return std::hypot(width(box.x), width(box.y)) * (1 + 8 * operation_error); }
 
-inline Range range_of_parameter(const Piece& domain, const Interval& u)
-{
-  const Interval lo = enclosing(domain.lo), hi = enclosing(domain.hi);
-  if (u.inf() == 0 && u.sup() == 0) return {lo.inf(), lo.sup()};
-  if (u.inf() == 1 && u.sup() == 1) return {hi.inf(), hi.sup()};
-  const Interval p = domain.lo == 0 && domain.hi == 1 ? u : lo + u * (hi - lo);
-  return {std::max(p.inf(), lo.inf()), std::min(p.sup(), hi.sup())};
-}
-
 /// The point in the user's coordinates, with a proved bound of the printed doubles' distance from the exact one.
 inline Arc_point<2> finished(const Planar_solution& s, const Placed& p)
 {
   Approximate_point<2> point;
   double error = 0;
-  const std::array<Interval, 2> xy{s.frame.out_of(p.point.x, 0), s.frame.out_of(p.point.y, 1)};
+  const std::array<Interval, 2> xy{s.frame.length(p.point.x) + s.origin[0], s.frame.length(p.point.y) + s.origin[1]};
   for (std::size_t k = 0; k < 2; ++k) {
     point[k] = midpoint(xy[k]);
     error = std::hypot(error, std::max(xy[k].sup() - point[k], point[k] - xy[k].inf()));
   }
   const Interval radius = s.frame.length(p.radius);
-  return {{range_of_parameter(s.domain[0], p.at[0]), range_of_parameter(s.domain[1], p.at[1])}, point,
+  return {{s.domain[0].at(p.at[0]), s.domain[1].at(p.at[1])}, point,
           std::max(0.0, midpoint(radius)), error * (1 + 8 * operation_error)};
 }
 
@@ -275,6 +284,7 @@ private:
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const auto jets = parameter_jets(e, a, b);
     if (!jets) return infinite;
+    if (width(jets->at(0).value) > 0.25 || width(jets->at(1).value) > 0.25) return infinite;
     const Map_formula formula = s_->map.choose(midpoint((*jets)[0].value), midpoint((*jets)[1].value));
     const auto image = s_->map.at((*jets)[0], (*jets)[1], formula);
     const double bend = std::hypot(magnitude(image.point.x.second), magnitude(image.point.y.second));
@@ -282,6 +292,9 @@ private:
     const double bound = bend * h * h * 0.125 * (1 + 16 * operation_error);
     return std::isfinite(bound) ? bound : infinite;
   }
+
+  /// Beyond this many points a polyline stops refining and reports the error it has reached.
+  static constexpr std::size_t max_points = 1u << 20;
 
   struct Draft {
     std::vector<Placed> points;
@@ -293,7 +306,7 @@ private:
   {
     const double error = chord_error(e, a, b);
     const double h = b.base.inf() - a.base.sup();
-    if (error <= draft.tolerance || depth >= 24 || !(h > 0x1p-50)) {
+    if (error <= draft.tolerance || depth >= 20 || !(h > 0x1p-46) || draft.points.size() > max_points) {
       draft.bend = std::max(draft.bend, error);
       draft.points.push_back(reversed ? a.placed : b.placed);
       return;

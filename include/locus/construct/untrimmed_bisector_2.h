@@ -21,7 +21,7 @@ namespace detail {
 /// Keeps the leaves of a solve for pictures.
 class Cell_keeper final : public Claim_observer<2> {
 public:
-  explicit Cell_keeper(const std::array<Piece, 2>& domain) : domain_(domain) {}
+  explicit Cell_keeper(const std::array<Parameter_range, 2>& domain) : domain_(domain) {}
 
   void on_claim(const Claim<2>& claim) override
   {
@@ -29,7 +29,7 @@ public:
     if (!name) return;
     Cell_picture cell;
     for (std::size_t v = 0; v < 2; ++v)
-      cell.box.push_back(range_of_parameter(domain_[v], Interval(claim.box.lo[v], claim.box.hi[v])));
+      cell.box.push_back(domain_[v].at(Interval(claim.box.lo[v], claim.box.hi[v])));
     cell.claim = name;
     cells.push_back(std::move(cell));
   }
@@ -50,7 +50,7 @@ private:
     return nullptr;
   }
 
-  std::array<Piece, 2> domain_;
+  std::array<Parameter_range, 2> domain_;
 };
 
 /// Corners of the inputs' control polygons: the frame and the scale are taken from them.
@@ -129,7 +129,7 @@ public:
     add_arcs();
     for (const Undecided_box& u : s_->graph.undecided) {
       Undecided_piece piece;
-      for (std::size_t v = 0; v < 2; ++v) piece.box.push_back(range_of_parameter(s_->domain[v], Interval(u.box.lo[v], u.box.hi[v])));
+      for (std::size_t v = 0; v < 2; ++v) piece.box.push_back(s_->domain[v].at(Interval(u.box.lo[v], u.box.hi[v])));
       piece.reason = u.reason;
       data_.undecided.push_back(std::move(piece));
     }
@@ -167,7 +167,7 @@ private:
     if (d.input >= 0) {
       const auto input = static_cast<std::size_t>(d.input);
       piece.input = input;
-      piece.parameter = range_of_parameter(s_->domain[input], Interval(d.lo, d.hi));
+      piece.parameter = s_->domain[input].at(Interval(d.lo, d.hi));
     }
     data_.degenerate.push_back(std::move(piece));
   }
@@ -207,7 +207,7 @@ private:
       Locus_vertex<2> vertex;
       vertex.kind = kind_of(from);
       for (std::size_t k = 0; k < 2; ++k)
-        vertex.feet.push_back({k, feature_at(from.at[k]), {range_of_parameter(s_->domain[k], from.at[k])}});
+        vertex.feet.push_back({k, feature_at(from.at[k]), {s_->domain[k].at(from.at[k])}});
       if (vertex.kind == Vertex_kind::infinity) add_asymptote(from, vertex);
       else {
         const Arc_point<2> p = finished(*s_, place(*s_, from.at));
@@ -277,7 +277,8 @@ inline Locus<2> untrimmed_bisector_upward(const Curve_2& first, const Curve_2& s
   collect_control_points(second, points);
   auto solution = std::make_shared<Planar_solution>();
   solution->frame = fitting_frame<2>(points);
-  solution->domain = {first.chain().pieces[0], second.chain().pieces[0]};
+  solution->domain = {Parameter_range(first.chain().pieces[0]), Parameter_range(second.chain().pieces[0])};
+  for (std::size_t k = 0; k < 2; ++k) solution->origin[k] = enclosing(solution->frame.origin[k]);
   measure_inputs(points, *solution);
   const F3_problem problem = f3_problem(std::make_shared<const Planar_curve>(first.pieces()[0], solution->frame),
                                         std::make_shared<const Planar_curve>(second.pieces()[0], solution->frame));

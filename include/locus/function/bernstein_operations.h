@@ -256,6 +256,14 @@ Bernstein<T, D> elevate(const Bernstein<T, D>& f, int variable, int by)
 
 // ----------------------------------------------------------------------------------------------- subdivision
 
+namespace detail {
+
+inline bool not_above_half(double x) { return x <= 0.5; }
+inline bool not_above_half(const Rational& x) { return 2 * x <= 1; }
+inline bool not_above_half(const Interval& x) { return x.sup() <= 0.5; }
+
+} // namespace detail
+
 /// The two parts of `f` below and above `at` in one variable, each again on the unit box.
 template <class T, int D, class U>
 std::pair<Bernstein<T, D>, Bernstein<T, D>> split(const Bernstein<T, D>& f, int variable, const U& at)
@@ -272,14 +280,14 @@ std::pair<Bernstein<T, D>, Bernstein<T, D>> split(const Bernstein<T, D>& f, int 
   return {std::move(left), std::move(right)};
 }
 
-/// `f` restricted in one variable to [lo, hi], again on the unit box. 0 ≤ lo < hi ≤ 1 is usual; other ends extend.
-template <class T, int D>
-Bernstein<T, D> restrict_to(const Bernstein<T, D>& f, int variable, const T& lo, const T& hi)
+/// `f` restricted in one variable to [lo, hi], again on the unit box. 0 ≤ lo ≤ hi ≤ 1 is usual; other ends extend.
+template <class T, int D, class U>
+Bernstein<T, D> restrict_to(const Bernstein<T, D>& f, int variable, const U& lo, const U& hi)
 {
-  Bernstein<T, D> upper = split(f, variable, lo).second;
-  T at = hi - lo;
-  at /= T(1) - lo;
-  return split(upper, variable, at).first;
+  // The second cut must not divide by a small number: cut off the longer outer part first.
+  const U rest = U(1) - lo;
+  if (detail::not_above_half(lo)) return split(split(f, variable, lo).second, variable, U((hi - lo) / rest)).first;
+  return split(split(f, variable, hi).first, variable, U(lo / hi)).second;
 }
 
 /// The face where a variable is 0 or 1, as a polynomial in the remaining variables.

@@ -123,11 +123,12 @@ std::pair<Bernstein<Bounded, D>, Bernstein<Bounded, D>> split(const Bernstein<Bo
 template <int D>
 Bernstein<Bounded, D> restrict_to(const Bernstein<Bounded, D>& f, int variable, double lo, double hi)
 {
-  // The second cut is at (hi-lo)/(1-lo), itself rounded three times: that moves the upper end by as much again.
-  const Bernstein<Bounded, D> upper = split(f, variable, lo).second;
-  const double at = (hi - lo) / (1 - lo);
-  const Bernstein<Bounded, D> part = split(upper, variable, at).first;
-  const double shift = 4 * operation_error * std::abs(at) * 2 * f.degree(variable) * upper.norm() *
+  const bool low = detail::not_above_half(lo);
+  const Bernstein<Bounded, D> outer = low ? split(f, variable, lo).second : split(f, variable, hi).first;
+  const double at = low ? (hi - lo) / (1 - lo) : lo / hi;
+  const Bernstein<Bounded, D> part = low ? split(outer, variable, at).first : split(outer, variable, at).second;
+  // `at` is rounded up to three times, which moves the second cut; the derivative bounds what that changes.
+  const double shift = 4 * operation_error * std::abs(at) * 2 * f.degree(variable) * outer.norm() *
                        std::pow(std::max(1.0, std::abs(at) + std::abs(1 - at)), f.degree(variable));
   return {part.values(), detail::accumulated_error(part.error() + shift, 0, 0)};
 }

@@ -125,8 +125,8 @@ template <int D>
 Bernstein<Scaled_integer, D> restrict_to(const Bernstein<Scaled_integer, D>& f, int variable, const Rational& lo,
                                          const Rational& hi)
 {
-  const Bernstein<Scaled_integer, D> upper = split(f, variable, lo).second;
-  return split(upper, variable, Rational((hi - lo) / (1 - lo))).first;
+  if (detail::not_above_half(lo)) return split(split(f, variable, lo).second, variable, Rational((hi - lo) / (1 - lo))).first;
+  return split(split(f, variable, hi).first, variable, Rational(lo / hi)).second;
 }
 
 template <int D>

@@ -37,6 +37,7 @@ struct Frame {
   Interval length(const Interval& x) const
   {
     const int e = static_cast<int>(exponent);
+    if (e == 0) return x;
     constexpr double tiny = std::numeric_limits<double>::denorm_min();
     double lo = std::ldexp(x.inf(), e), hi = std::ldexp(x.sup(), e);
     if (std::ldexp(lo, -e) != x.inf()) lo -= tiny;

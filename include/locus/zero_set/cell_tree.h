@@ -99,6 +99,18 @@ public:
     return {Bernstein<double, 2>(degrees_, std::vector<double>(c, c + count_)), cells_[i].error};
   }
 
+  /// The tightest form that is at hand: rounded from the exact one, or enclosed afresh where the inherited bound does
+  /// not prove what the cell is used for.
+  Bernstein<Bounded, 2> tight_form(Index i) const
+  {
+    if (cells_[i].refreshed) return bounded_form(i);
+    if (cells_[i].exact) {
+      const Bernstein<Rational, 2> f = cells_[i].exact->rational();
+      return bounded(converted<Interval>(f, [](const Rational& c) { return enclosing(c); }));
+    }
+    return bounded(equation_.enclosure(cells_[i].box));
+  }
+
   /// Exact coefficients on the cell, up to a positive factor.
   const Bernstein<Scaled_integer, 2>& exact(Index i)
   {

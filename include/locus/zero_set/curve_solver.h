@@ -800,7 +800,10 @@ private:
   void keep_forms()
   {
     graph_.forms.reserve(graph_.pieces.size());
-    for (const Graph_piece& p : graph_.pieces) graph_.forms.push_back({tree_[p.cell].box, tree_.bounded_form(p.cell), graph_.equation});
+    for (const Graph_piece& p : graph_.pieces) {
+      const bool small = tree_[p.cell].box.max_width() < 0x1p-5;
+      graph_.forms.push_back({tree_[p.cell].box, small ? tree_.tight_form(p.cell) : tree_.bounded_form(p.cell), graph_.equation});
+    }
   }
 
   void gather_statistics() { graph_.statistics.exact_cells = tree_.exact_cells(); }

@@ -49,7 +49,7 @@ public:
     const double radius = std::max(4 * error / std::abs(slope), 0x1p-52);
     const Sign high = sign_of(g[n_], error), low = sign_of(g[0], error);
     const Sign above = is_strict(high) ? high : opposite(low);
-    for (double delta = radius; is_strict(above) && delta < 1e-12 / width && delta < 0.5; delta *= 8) {
+    for (double delta = radius; is_strict(above) && delta < 4e-13 / width && delta < 0.5; delta *= 8) {
       const double a = std::max(0.0, u - delta), b = std::min(1.0, u + delta);
       const double ga = detail::horner_value(g, n_, a), gb = detail::horner_value(g, n_, b);
       const bool below_a = a == 0 ? low == opposite(above) : sign_of(ga, error) == opposite(above);
@@ -70,11 +70,12 @@ public:
     for (int pass = 0; pass < 2; ++pass) {
       const auto slopes = pass == 0 ? std::nullopt : partials(sub_box(range, s0, s1), true);
       if (pass == 1 && !slopes) return jet;
-      const Interval slope = pass == 0 ? cell_slope() : -slopes->f_base / slopes->f_pivot;
-      const double growth = (Interval(magnitude(slope)) * ds).sup() * 0.5;
+      const double steepest = pass == 0 ? cell_slope() : magnitude(slopes->f_base / slopes->f_pivot);
+      const double growth = std::min(form_.box.width(pivot_), (Interval(steepest) * ds).sup() * 0.5);
       Interval wider = hull(at_s0, at_s1) + Interval(-growth, growth);
       wider = Interval(std::max(wider.inf(), form_.box.lo[p]), std::min(wider.sup(), form_.box.hi[p]));
       if (pass == 1) {
+        const Interval slope = -slopes->f_base / slopes->f_pivot;
         const Interval second = -(slopes->f_bb + Interval(2) * slopes->f_pb * slope + slopes->f_pp * slope * slope) / slopes->f_pivot;
         jet = Dependent_jet{Interval(std::max(wider.inf(), range.inf()), std::min(wider.sup(), range.sup())), slope, second};
       }
@@ -92,8 +93,9 @@ public:
   }
 
 private:
-  /// Slope of the pivot by the base variable over the whole cell, from the coefficients' differences.
-  const Interval& cell_slope() const
+  /// Greatest slope of the pivot by the base variable over the whole cell, from the coefficients' differences; a large
+  /// finite number where they do not bound it.
+  double cell_slope() const
   {
     if (!cell_slope_) {
       const auto range = [&](int v) {
@@ -103,7 +105,7 @@ private:
         return (Interval(*least, *greatest) + Interval(-d.error(), d.error())) / Interval(form_.box.width(v));
       };
       const Interval by_pivot = range(pivot_);
-      cell_slope_ = contains_zero(by_pivot) ? Interval(-HUGE_VAL, HUGE_VAL) : -range(base_) / by_pivot;
+      cell_slope_ = contains_zero(by_pivot) ? 0x1p100 : magnitude(range(base_) / by_pivot);
     }
     return *cell_slope_;
   }
@@ -261,7 +263,7 @@ private:
   double norm_;
   mutable std::vector<double> row_, weight_;
   mutable std::optional<Surfaces> surfaces_;
-  mutable std::optional<Interval> cell_slope_;
+  mutable std::optional<double> cell_slope_;
 };
 
 } // namespace locus
