@@ -446,8 +446,9 @@ TEST_CASE("midpoint and radius cover the interval, in every rounding mode", "[nu
 
 TEST_CASE("an unbounded interval has no known sign unless all of it has", "[number][bounded]")
 {
-  for (const auto& [a, b] : std::vector<std::pair<double, double>>{
+  for (const auto& ends : std::vector<std::pair<double, double>>{
          {-infinity, infinity}, {-1, infinity}, {0, infinity}, {-infinity, 1}, {-infinity, 0}, {-greatest, infinity}, {-greatest, greatest}}) {
+    const double a = ends.first, b = ends.second;
     Sign sign = Sign::zero;
     with_upward_rounding([&] { sign = locus::sign_of(locus::bounded(Interval(a, b))); });
     INFO(a << ", " << b);

@@ -658,17 +658,17 @@ inline Job read_job(std::string_view text)
 
 inline Job read_job(std::istream& in) { return read_job(read_json_text(in)); }
 
-/// Throws Unsupported_feature, naming what and where, if the job asks for something that this version does not have.
+/// Throws Unsupported_feature, naming where and what, if the job asks for something that this version does not have.
 inline void require_supported(const Job& job)
 {
   const auto refuse = [](const std::string& place, const std::string& feature) {
-    throw Unsupported_feature(place + ": this version does not have " + feature + " yet");
+    throw Unsupported_feature(place + ": " + feature);
   };
   if (job.compute != "bisector") refuse("compute", "\"" + job.compute + "\"");
   for (const Job_input& input : job.inputs)
     if (!input.missing.empty()) refuse(input.place, input.missing);
   if (job.inputs.size() == 1) refuse("inputs", "self-bisectors");
-  if (job.options.trimmed) refuse("options.trimmed", "trimmed bisectors, only \"trimmed\": false");
+  if (job.options.trimmed) refuse("options.trimmed", "trimmed bisectors (give \"trimmed\": false for all solutions of the equations)");
   if (job.options.join_tolerance != 0) refuse("options.join_tolerance", "tolerant joints");
 }
 

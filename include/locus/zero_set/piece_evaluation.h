@@ -46,10 +46,10 @@ public:
       u = next;
       if (!(moved > 1e-15)) break;
     }
-    const double radius = std::max(4 * error / std::abs(slope), 0x1p-52);
+    const double radius = std::max(1.25 * error / std::abs(slope), 0x1p-52);
     const Sign high = sign_of(g[n_], error), low = sign_of(g[0], error);
     const Sign above = is_strict(high) ? high : opposite(low);
-    for (double delta = radius; is_strict(above) && delta < 4e-13 / width && delta < 0.5; delta *= 8) {
+    for (double delta = radius; is_strict(above) && delta < 4e-13 / width && delta < 0.5; delta *= 2) {
       const double a = std::max(0.0, u - delta), b = std::min(1.0, u + delta);
       const double ga = detail::horner_value(g, n_, a), gb = detail::horner_value(g, n_, b);
       const bool below_a = a == 0 ? low == opposite(above) : sign_of(ga, error) == opposite(above);
@@ -183,7 +183,7 @@ private:
     if (high == Sign::zero) return Interval(hi);
     if (low == high) throw std::logic_error("locus: an arc was asked for outside its stretch");
     Isolated_root<double> root{lo, hi, 1, nullptr};
-    refine_root(f, root, 1e-15, 1e-13);
+    refine_root(f, root, 1e-15, 5e-13);
     return {root.lo, root.hi};
   }
 

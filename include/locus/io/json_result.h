@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_IO_JSON_RESULT_H
+#define LOCUS_IO_JSON_RESULT_H
+
+#include <locus/construct/locus.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace locus {
+
+namespace detail {
+
+/// Writes JSON as it goes, without a tree: the largest part of a result, its samples, is only numbers. Objects keep the
+/// order in which they are written.
+class Json_writer {
+public:
+  explicit Json_writer(std::ostream& out) : out_(out) {}
+  Json_writer(const Json_writer&) = delete;
+  Json_writer& operator=(const Json_writer&) = delete;
+  ~Json_writer() = default;
+
+  Json_writer& open(char bracket)
+  {
+    separate();
+    text_ += bracket;
+    first_ = true;
+    return *this;
+  }
+  Json_writer& close(char bracket)
+  {
+    text_ += bracket;
+    first_ = false;
+    if (text_.size() > (1u << 16)) flush();
+    return *this;
+  }
+  Json_writer& key(std::string_view name)
+  {
+    separate();
+    quote(name);
+    text_ += ": ";
+    first_ = true; // no comma between key and value
+    return *this;
+  }
+  /// Starts a line of its own for the next key or element.
+  Json_writer& line(int indent)
+  {
+    if (!first_) text_ += ',';
+    first_ = true;
+    text_ += '\n';
+    text_.append(static_cast<std::size_t>(indent), ' ');
+    return *this;
+  }
+
+  Json_writer& value(double x)
+  {
+    if (std::isnan(x)) throw std::logic_error("a result holds a number that is not a number");
+    if (std::isinf(x)) return value(x > 0 ? "inf" : "-inf");
+    separate();
+    std::array<char, 32> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x == 0 ? 0.0 : x).ptr; // no "-0"
+    text_.append(digits.data(), end);
+    return *this;
+  }
+  template <std::integral Integer>
+  Json_writer& value(Integer x)
+  {
+    separate();
+    text_ += std::to_string(x);
+    return *this;
+  }
+  Json_writer& value(bool x)
+  {
+    separate();
+    text_ += x ? "true" : "false";
+    return *this;
+  }
+  Json_writer& value(std::string_view x)
+  {
+    separate();
+    quote(x);
+    return *this;
+  }
+  Json_writer& value(const char* x) { return value(std::string_view(x)); }
+  Json_writer& value(const Range& r) { return open('[').value(r.lo).value(r.hi).close(']'); }
+  template <int Dim>
+  Json_writer& value(const Approximate_point<Dim>& p)
+  {
+    return list(p.coordinates);
+  }
+  template <class Sequence>
+  Json_writer& list(const Sequence& items)
+  {
+    open('[');
+    for (const auto& x : items) value(x);
+    return close(']');
+  }
+
+  /// Closes the outermost object, on a line of its own.
+  void finish()
+  {
+    text_ += "\n}\n";
+    flush();
+    out_.flush();
+  }
+
+private:
+  void separate()
+  {
+    if (!first_) text_ += ", ";
+    first_ = false;
+  }
+  void quote(std::string_view s)
+  {
+    constexpr const char* hex = "0123456789abcdef";
+    text_ += '"';
+    for (const char c : s) {
+      const auto byte = static_cast<unsigned char>(c);
+      if (c == '"' || c == '\\') (text_ += '\\') += c;
+      else if (byte < 0x20) ((text_ += "\\u00") += hex[byte >> 4]) += hex[byte & 15];
+      else text_ += c;
+    }
+    text_ += '"';
+  }
+  void flush()
+  {
+    out_.write(text_.data(), static_cast<std::streamsize>(text_.size()));
+    text_.clear();
+  }
+
+  std::ostream& out_;
+  std::string text_;
+  bool first_ = true;
+};
+
+inline void write_foot(Json_writer& json, const Foot& foot)
+{
+  json.open('{').key("input").value(foot.input).key("feature").value(name_of(foot.feature));
+  json.key("parameters").list(foot.parameters).close('}');
+}
+
+template <int Dim>
+void write_vertex(Json_writer& json, const Locus_vertex<Dim>& v)
+{
+  json.open('{').key("kind").value(name_of(v.kind)).key("feet").open('[');
+  for (const Foot& foot : v.feet) write_foot(json, foot);
+  json.close(']');
+  if (v.point) json.key("point").value(*v.point).key("radius").value(v.radius);
+  if (v.direction) json.key("direction").value(*v.direction);
+  if (v.asymptote) json.key("asymptote").open('{').key("point").value(v.asymptote->point).key("direction").value(v.asymptote->direction).close('}');
+  if (v.multiplicity > 1) json.key("multiplicity").value(v.multiplicity);
+  if (!v.half_branches.empty()) {
+    json.key("half_branches").open('[');
+    for (const Half_branch& h : v.half_branches) json.open('{').key("arc").value(h.arc).key("at").value(h.at_start ? "source" : "target").close('}');
+    json.close(']');
+  }
+  json.close('}');
+}
+
+template <int Dim>
+void write_arc_point(Json_writer& json, const Arc_point<Dim>& p)
+{
+  json.open('{').key("parameters").open('[');
+  for (std::size_t k = 0; k < p.parameters().size(); ++k) json.value(p.parameter(k));
+  json.close(']').key("point").value(p.point()).key("radius").value(p.radius()).close('}');
+}
+
+template <int Dim>
+void write_arc(Json_writer& json, const Arc<Dim>& arc, double tolerance)
+{
+  json.open('{');
+  if (!arc.is_closed()) json.key("source").value(*arc.source()).key("target").value(*arc.target());
+  json.key("closed").value(arc.is_closed());
+  json.key("inputs").list(arc.inputs());
+  json.key("features").open('[');
+  for (const Feature f : arc.features()) json.value(name_of(f));
+  json.close(']');
+  const Polyline<Dim> polyline = arc.polyline(tolerance);
+  json.key("error").value(polyline.error());
+  json.key("irregular").open('[');
+  for (const Arc_point<Dim>& p : arc.irregular()) write_arc_point(json, p);
+  json.close(']');
+  json.key("samples").open('[');
+  for (const Arc_point<Dim>& p : polyline) write_arc_point(json.line(6), p);
+  json.close(']').close('}');
+}
+
+inline void write_statistics(Json_writer& json, const Locus_statistics& s)
+{
+  std::uint64_t calls = 0, failures = 0;
+  for (std::size_t i = 0; i < s.filter.calls.size(); ++i) {
+    calls += s.filter.calls[i];
+    failures += s.filter.failures[i];
+  }
+  json.open('{').key("cells").value(s.cells).key("filter_calls").value(calls).key("filter_failures").value(failures);
+  json.key("exact_cells").value(s.exact_cells).key("seconds").value(s.seconds).key("rungs").open('{');
+  constexpr const char* names[] = {"bounded", "interval", "exact"};
+  for (std::size_t i = 0; i < s.filter.calls.size(); ++i)
+    json.key(names[i]).open('{').key("calls").value(s.filter.calls[i]).key("failures").value(s.filter.failures[i]).close('}');
+  json.close('}').close('}');
+}
+
+/// A list with one element on a line.
+template <class Sequence, class Write>
+void write_lines(Json_writer& json, const char* key, const Sequence& items, Write write)
+{
+  json.line(2).key(key).open('[');
+  for (const auto& item : items) write(json.line(4), item);
+  json.close(']');
+}
+
+} // namespace detail
+
+/// Writes a result as JSON; the keys are listed in doc/. Each arc is written as the polyline `arc.polyline(tolerance)`
+/// with the error that this reaches. Doubles are written so that they read back as the same doubles.
+template <int Dim>
+void write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance = 1e-6)
+{
+  using detail::Json_writer;
+  Json_writer json(out);
+  json.open('{').line(2).key("compute").value(locus.compute()).line(2).key("trimmed").value(locus.is_trimmed());
+  json.line(2).key("status").value(locus.status() == Status::certified ? "certified" : "undecided");
+  json.line(2).key("tolerance").value(tolerance).line(2).key("scale").value(locus.scale());
+  json.line(2).key("cut_radius").value(locus.cut_radius()).line(2).key("centre").value(locus.centre());
+  json.line(2).key("components").value(locus.components());
+  detail::write_lines(json, "equations", locus.equations(), [](Json_writer& j, const Equation_info& e) {
+    j.open('{').key("name").value(e.name).key("degrees").list(e.degrees).close('}');
+  });
+  detail::write_lines(json, "vertices", locus.vertices(), [](Json_writer& j, const Locus_vertex<Dim>& v) { detail::write_vertex(j, v); });
+  detail::write_lines(json, "arcs", locus.arcs(), [tolerance](Json_writer& j, const Arc<Dim>& a) { detail::write_arc(j, a, tolerance); });
+  detail::write_lines(json, "regions", locus.regions(), [](Json_writer& j, const Region& r) {
+    j.open('{').key("arcs").list(r.arcs).key("reason").value(r.reason).close('}');
+  });
+  detail::write_lines(json, "degenerate", locus.degenerate(), [](Json_writer& j, const Degenerate_piece& d) {
+    j.open('{').key("kind").value(d.kind);
+    if (d.input) j.key("input").value(*d.input);
+    if (d.parameter) j.key("parameter").value(*d.parameter);
+    if (d.multiplicity > 1) j.key("multiplicity").value(d.multiplicity);
+    j.key("reason").value(d.reason).close('}');
+  });
+  detail::write_lines(json, "undecided", locus.undecided(), [](Json_writer& j, const Undecided_piece& u) {
+    j.open('{').key("box").list(u.box).key("reason").value(u.reason).close('}');
+  });
+  json.line(2).key("statistics");
+  detail::write_statistics(json, locus.statistics());
+  json.finish();
+}
+
+} // namespace locus
+
+#endif
