@@ -139,8 +139,8 @@ private:
   {
     for (std::size_t v = 0; v < 2; ++v) {
       Bernstein<Rational, 1>& x = piece.numerator[v];
-      x = subtract(x, multiply(piece.weight, frame.origin[v]));
       for (std::size_t i = 0; i < x.size(); ++i) {
+        x[i] -= frame.origin[v] * piece.weight[piece.is_polynomial() ? 0 : i];
         if (frame.exponent >= 0) mpq_div_2exp(x[i].get_mpq_t(), x[i].get_mpq_t(), static_cast<mp_bitcnt_t>(frame.exponent));
         else mpq_mul_2exp(x[i].get_mpq_t(), x[i].get_mpq_t(), static_cast<mp_bitcnt_t>(-frame.exponent));
       }

@@ -140,14 +140,15 @@ public:
   /// of the curves e is small, and its enclosure is then relatively as tight as the coordinates'.
   Bernstein<Interval, 2> enclosure(const Box<2>& box) const override
   {
-    const bool whole = box.lo[0] == 0 && box.lo[1] == 0 && box.hi[0] == 1 && box.hi[1] == 1;
-    std::array<double, 2> origin{0, 0};
-    if (!whole) {
-      const Interval t(0.5 * (box.lo[0] + box.hi[0]));
-      const Interval w = evaluate_at(first_->weight_enclosure(), t);
-      for (std::size_t v = 0; v < 2; ++v) origin[v] = midpoint(evaluate_at(first_->numerator_enclosure(v), t) / w);
+    if (box.lo[0] == 0 && box.lo[1] == 0 && box.hi[0] == 1 && box.hi[1] == 1) {
+      std::call_once(unit_once_, [&] { unit_ = enclosure_from(box, {0, 0}); });
+      return unit_;
     }
-    return expand(Form::build(first_->local(box.lo[0], box.hi[0], origin), second_->local(box.lo[1], box.hi[1], origin)));
+    std::array<double, 2> origin{0, 0};
+    const Interval t(0.5 * (box.lo[0] + box.hi[0]));
+    const Interval w = evaluate_at(first_->weight_enclosure(), t);
+    for (std::size_t v = 0; v < 2; ++v) origin[v] = midpoint(evaluate_at(first_->numerator_enclosure(v), t) / w);
+    return enclosure_from(box, origin);
   }
 
   const Bernstein<Scaled_integer, 2>& exact() const override
@@ -164,8 +165,15 @@ public:
   }
 
 private:
+  Bernstein<Interval, 2> enclosure_from(const Box<2>& box, const std::array<double, 2>& origin) const
+  {
+    return expand(Form::build(first_->local(box.lo[0], box.hi[0], origin), second_->local(box.lo[1], box.hi[1], origin)));
+  }
+
   std::shared_ptr<const Planar_curve> first_, second_;
   Degrees<2> degrees_;
+  mutable std::once_flag unit_once_;
+  mutable Bernstein<Interval, 2> unit_;
   mutable std::once_flag once_;
   mutable Bernstein<Scaled_integer, 2> exact_;
 };

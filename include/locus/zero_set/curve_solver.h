@@ -51,7 +51,7 @@ private:
   static constexpr std::size_t no_special = static_cast<std::size_t>(-1);
 
   /// Vertices are enclosed at least this tightly; exact bisection helps where doubles do not reach it.
-  static constexpr double vertex_width = 0x1p-43;
+  static constexpr double vertex_width = 0x1p-41;
 
   // ------------------------------------------------------------------------------------------------ causes
 
