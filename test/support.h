@@ -378,38 +378,75 @@ inline Polynomial with_roots(const std::vector<Rational>& roots, const Rational&
   return f;
 }
 
-/// Sturm's chain of a polynomial: f, f', and the negated remainders. It counts distinct roots, multiple ones too.
+/// f/g for g dividing f.
+inline Polynomial quotient(Polynomial f, const Polynomial& g)
+{
+  f = trimmed(std::move(f));
+  Polynomial q(f.size() >= g.size() ? f.size() - g.size() + 1 : 0, Rational(0));
+  while (f.size() >= g.size() && !f.empty()) {
+    const std::size_t shift = f.size() - g.size();
+    q[shift] = f.back() / g.back();
+    const Rational c = q[shift];
+    for (std::size_t i = 0; i < g.size(); ++i) f[i + shift] -= c * g[i];
+    f = trimmed(std::move(f));
+  }
+  if (!f.empty()) throw std::logic_error("quotient: the divisor does not divide");
+  return q;
+}
+
+/// A positive multiple with integer coefficients: quick to ask for signs.
+inline std::vector<Integer> with_integers(const Polynomial& f)
+{
+  Integer denominator = 1, common = 0;
+  for (const Rational& c : f) denominator = lcm(denominator, c.get_den());
+  std::vector<Integer> a;
+  for (const Rational& c : f) a.push_back(Integer(c.get_num() * Integer(denominator / c.get_den())));
+  for (const Integer& c : a) common = gcd(common, c);
+  if (common != 0)
+    for (Integer& c : a) c /= common;
+  return a;
+}
+
+inline int sign_at(const std::vector<Integer>& f, const Rational& x)
+{
+  Integer sum = 0, power = 1;
+  for (std::size_t i = f.size(); i-- > 0;) {
+    sum = Integer(sum * x.get_num() + f[i] * power);
+    power *= x.get_den();
+  }
+  return sgn(sum);
+}
+
+/// Sturm's chain of a polynomial: f, f', and the negated remainders, all divided by the last one. It counts distinct
+/// roots, multiple ones too.
 class Sturm {
 public:
   explicit Sturm(const Polynomial& f)
   {
-    chain_.push_back(trimmed(f));
-    chain_.push_back(slope(chain_[0]));
-    while (!chain_.back().empty()) {
-      Polynomial r = remainder(chain_[chain_.size() - 2], chain_.back());
-      Rational size = 0;
-      for (Rational& c : r) c = -c;
+    std::vector<Polynomial> chain{trimmed(f), slope(trimmed(f))};
+    while (!chain.back().empty()) {
+      Polynomial r = remainder(chain[chain.size() - 2], chain.back());
+      Rational size = 1;
       if (!r.empty()) size = abs(r.back());
-      for (Rational& c : r) c /= size; // a positive factor: keeps the numbers short
-      chain_.push_back(std::move(r));
+      for (Rational& c : r) c /= -size; // a positive factor keeps the numbers short
+      chain.push_back(std::move(r));
     }
-    chain_.pop_back();
+    chain.pop_back();
+    for (const Polynomial& g : chain) chain_.push_back(with_integers(quotient(g, chain.back())));
   }
 
   /// Distinct roots in the half-open interval (a, b], in the closed and in the open one.
   int half_open(const Rational& a, const Rational& b) const { return changes(a) - changes(b); }
-  int closed(const Rational& a, const Rational& b) const { return half_open(a, b) + (horner(chain_[0], a) == 0 ? 1 : 0); }
-  int open(const Rational& a, const Rational& b) const { return half_open(a, b) - (horner(chain_[0], b) == 0 ? 1 : 0); }
+  int closed(const Rational& a, const Rational& b) const { return half_open(a, b) + (is_root(a) ? 1 : 0); }
+  int open(const Rational& a, const Rational& b) const { return half_open(a, b) - (is_root(b) ? 1 : 0); }
+  bool is_root(const Rational& x) const { return sign_at(chain_[0], x) == 0; }
 
 private:
-  /// Sign changes of the chain at x, zeros left out; at a multiple root those of the chain divided by its last member.
   int changes(const Rational& x) const
   {
     int count = 0, last = 0;
-    const Polynomial& common = chain_.back();
-    const bool at_multiple_root = horner(common, x) == 0;
-    for (const Polynomial& f : chain_) {
-      const int s = sgn(at_multiple_root ? horner(quotient(f, common), x) : horner(f, x));
+    for (const auto& f : chain_) {
+      const int s = sign_at(f, x);
       if (s == 0) continue;
       if (last != 0 && s != last) ++count;
       last = s;
@@ -417,20 +454,7 @@ private:
     return count;
   }
 
-  static Polynomial quotient(Polynomial f, const Polynomial& g)
-  {
-    Polynomial q(f.size() - g.size() + 1, Rational(0));
-    while (f.size() >= g.size() && !f.empty()) {
-      const Rational c = f.back() / g.back();
-      const std::size_t shift = f.size() - g.size();
-      q[shift] = c;
-      for (std::size_t i = 0; i < g.size(); ++i) f[i + shift] -= c * g[i];
-      f = trimmed(std::move(f));
-    }
-    return q;
-  }
-
-  std::vector<Polynomial> chain_;
+  std::vector<std::vector<Integer>> chain_;
 };
 
 /// Bernstein coefficients on [0,1] of a polynomial, written with degree `n`: Horner's rule in the basis u^i (1-u)^(n-i).

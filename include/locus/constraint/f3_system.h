@@ -249,6 +249,7 @@ inline void split_off_axis(F3_problem& p, const Bernstein<Rational, 2>& rest, bo
 /// crosses it in nodes; equal curves have its fourth power, which is the curves' overlap.
 inline void divide_out_diagonal(F3_problem& p, bool reversed)
 {
+  if (p.axis) return; // a second axis stays in the other factor, which it crosses in a declared node
   const auto enclosure = p.system.equations[0]->enclosure(Box<2>::unit());
   const int n = enclosure.degree(0);
   if (enclosure.degree(1) != n) return;

@@ -67,12 +67,12 @@ inline Arc_point<2> finished(const Planar_solution& s, const Placed& p)
   double error = 0;
   const std::array<Interval, 2> xy{s.frame.length(p.point.x) + s.origin[0], s.frame.length(p.point.y) + s.origin[1]};
   for (std::size_t k = 0; k < 2; ++k) {
-    point[k] = midpoint(xy[k]);
+    point[k] = representative(xy[k]);
     error = std::hypot(error, std::max(xy[k].sup() - point[k], point[k] - xy[k].inf()));
   }
   const Interval radius = s.frame.length(p.radius);
   return {{s.domain[0].at(p.at[0]), s.domain[1].at(p.at[1])}, point,
-          std::max(0.0, midpoint(radius)), error * (1 + 8 * operation_error)};
+          std::max(0.0, representative(radius)), error * (1 + 8 * operation_error)};
 }
 
 /// One arc of a planar bisector, evaluated on the cells of its zero set.

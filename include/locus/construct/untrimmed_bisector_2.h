@@ -68,7 +68,7 @@ inline void measure_inputs(const std::vector<Exact_point<2>>& points, Planar_sol
 {
   std::array<Interval, 2> extent, middle;
   for (std::size_t k = 0; k < 2; ++k) {
-    Interval lo, hi;
+    Interval lo(0), hi(0);
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Interval x = enclosing(solution.frame.into(points[i][k], k));
       lo = i == 0 ? x : Interval(std::min(lo.inf(), x.inf()), std::min(lo.sup(), x.sup()));
@@ -183,7 +183,8 @@ private:
   {
     if (v.is_mark) return Vertex_kind::infinity;
     switch (v.kind) {
-    case Graph_vertex::Kind::boundary: return Vertex_kind::boundary;
+    case Graph_vertex::Kind::boundary:
+    case Graph_vertex::Kind::end: return Vertex_kind::boundary;
     case Graph_vertex::Kind::node: return Vertex_kind::node;
     case Graph_vertex::Kind::mark: return Vertex_kind::infinity;
     case Graph_vertex::Kind::isolated: return Vertex_kind::isolated;

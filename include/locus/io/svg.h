@@ -190,10 +190,10 @@ inline std::string pixels(double x)
 }
 
 /// A number for a label.
-inline std::string label_of(double x)
+inline std::string label_of(double x, int digits_shown = 4)
 {
   std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::general, 4).ptr;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::general, digits_shown).ptr;
   return {digits.data(), end};
 }
 
@@ -354,7 +354,7 @@ private:
     }
     const double size = box.size();
     Picture_box limit = box;
-    limit.grow(size);
+    limit.grow(0.6 * size);
     for (const Drawn_arc& arc : drawn_)
       for (std::size_t i = 1; i < arc.plane.size(); ++i) {
         const Picture_point &p = arc.plane[i - 1], &q = arc.plane[i];
@@ -362,7 +362,11 @@ private:
         box.add(limit.nearest(p));
         box.add(limit.nearest(q));
       }
-    box.grow(0.08 * box.size());
+    const double wide = 0.13 * box.size(), high = 0.08 * box.size(); // room for labels
+    box.x0 -= wide;
+    box.x1 += wide;
+    box.y0 -= high;
+    box.y1 += high;
     const double wanted = std::max(box.width(), box.height() * aspect);
     const double extra_width = wanted - box.width(), extra_height = wanted / aspect - box.height();
     box.x0 -= 0.5 * extra_width;
@@ -412,8 +416,8 @@ private:
 
   std::string caption() const
   {
-    std::string text = locus_.status() == Status::certified ? "certified" : counted(locus_.undecided().size(), "box") + (locus_.undecided().size() == 1 ? "" : "es") + " undecided";
-    if (locus_.status() != Status::certified && locus_.undecided().size() != 1) text = std::to_string(locus_.undecided().size()) + " boxes undecided";
+    const std::size_t open = locus_.undecided().size();
+    std::string text = open == 0 ? "certified" : std::to_string(open) + (open == 1 ? " box undecided" : " boxes undecided");
     text += " · " + counted(locus_.arcs().size(), "arc") + " in " + counted(components_.count, "component");
     std::size_t nodes = 0;
     for (const Locus_vertex<2>& v : locus_.vertices()) nodes += v.kind == Vertex_kind::node;
@@ -421,7 +425,7 @@ private:
     if (!locus_.degenerate().empty()) text += " · " + counted(locus_.degenerate().size(), "degenerate piece");
     text += " · " + counted(locus_.statistics().cells, "cell");
     if (locus_.statistics().exact_cells > 0) text += ", " + std::to_string(locus_.statistics().exact_cells) + " of them exact";
-    return text + " · " + label_of(1e3 * locus_.statistics().seconds) + " ms";
+    return text + " · " + label_of(1e3 * locus_.statistics().seconds, 2) + " ms";
   }
 
   void definitions(const Panel& plane, const Panel& square)
@@ -458,8 +462,8 @@ private:
       const Picture_point p = placed(*vertex.point);
       if (panel.box().contains(p)) write_vertex(panel.at(p), vertex.kind, colour(components_.of_vertex[v]));
     }
-    for (std::size_t k = 0; k < curves_.size(); ++k) write_ends(panel, k);
     out_ << "</g>\n";
+    for (std::size_t k = 0; k < curves_.size(); ++k) write_ends(panel, k);
     panel_frame(panel);
     write_scale(panel);
   }
@@ -473,19 +477,23 @@ private:
              stroke(picture::foot, 1.2, " stroke-dasharray=\"7 5\""));
   }
 
-  /// From some points of each arc to their feet.
+  /// From points of each arc, about equally spaced where it is visible, to their feet.
   void write_feet(const Panel& panel)
   {
-    constexpr std::size_t lines = 8;
+    constexpr double spacing = 42; // pixels
     std::string d;
     for (std::size_t a = 0; a < drawn_.size(); ++a) {
       if (locus_.arcs()[a].inputs() != std::vector<std::size_t>{0, 1}) continue;
-      std::vector<const Arc_point<2>*> visible;
-      for (const Arc_point<2>& p : drawn_[a].samples)
-        if (panel.box().contains(placed(p.point()))) visible.push_back(&p);
-      for (std::size_t i = 0; i < lines && !visible.empty(); ++i) {
-        const Arc_point<2>& p = *visible[(2 * i + 1) * visible.size() / (2 * lines)];
-        d += "M" + panel.text(curves_[0].at(p.parameter(0))) + "L" + panel.text(placed(p.point())) + "L" + panel.text(curves_[1].at(p.parameter(1)));
+      double since = 0.5 * spacing;
+      const std::vector<Arc_point<2>>& points = drawn_[a].samples;
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        const Picture_point from = placed(points[i - 1].point()), to = placed(points[i].point());
+        if (!panel.box().contains(from) || !panel.box().contains(to)) continue;
+        const Picture_point p = panel.at(from), q = panel.at(to);
+        since += std::hypot(q.x - p.x, q.y - p.y);
+        if (since < spacing) continue;
+        since = 0;
+        d += "M" + panel.text(curves_[0].at(points[i].parameter(0))) + "L" + panel.text(to) + "L" + panel.text(curves_[1].at(points[i].parameter(1)));
       }
     }
     svg_path(out_, d, stroke(picture::foot, 0.8, " stroke-opacity=\"0.75\""));
@@ -653,7 +661,9 @@ private:
     if (has_vertex(Vertex_kind::infinity)) entry("to infinity", vertex(Vertex_kind::infinity));
     if (has_vertex(Vertex_kind::node)) entry("node", vertex(Vertex_kind::node));
     if (has_vertex(Vertex_kind::isolated)) entry("isolated point", vertex(Vertex_kind::isolated));
-    if (has_cell("empty")) entry("cell proved empty", square(picture::empty_cell));
+    // Where the equations have a factor that is known, the cells are those of the rest.
+    const std::string rest = locus_.equations().size() > 1 ? " but for " + locus_.equations()[1].name : "";
+    if (has_cell("empty")) entry("cell proved empty" + rest, square(picture::empty_cell));
     if (has_cell("graph")) entry("cell proved a graph", square(picture::graph_cell));
     if (has_cell("crossing")) entry("cell of a node", square(picture::crossing_cell));
     if (!locus_.undecided().empty()) entry("undecided", square("url(#hatch)"));

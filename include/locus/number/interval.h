@@ -75,6 +75,8 @@ inline Sign sign_of(const Interval& x)
 
 inline bool contains_zero(const Interval& x) { return !(x.inf() > 0) && !(x.sup() < 0); }
 inline double midpoint(const Interval& x) { return x.inf() + 0.5 * (x.sup() - x.inf()); }
+/// A number of the interval to show: zero where it contains zero, else the midpoint.
+inline double representative(const Interval& x) { return contains_zero(x) ? 0.0 : midpoint(x); }
 inline double magnitude(const Interval& x) { return std::max(-x.inf(), x.sup()); }
 inline double mignitude(const Interval& x) { return contains_zero(x) ? 0.0 : std::min(std::abs(x.inf()), std::abs(x.sup())); }
 inline double width(const Interval& x) { return x.sup() - x.inf(); }

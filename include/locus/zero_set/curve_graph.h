@@ -19,12 +19,13 @@ struct Graph_vertex {
     crossing, ///< a smooth point on a face between two cells; arcs run through it
     boundary, ///< a point on the boundary of the unit cell
     node,     ///< two smooth branches cross
+    end,      ///< a crossing on the boundary of the unit cell of which one half-branch lies inside
     mark,     ///< a smooth point that a cause singles out (a pole of the map to the plane)
     isolated, ///< the zero set meets the unit cell's boundary in this point only
     open      ///< an arc ends at an undecided box
   };
   Kind kind = Kind::crossing;
-  std::array<Interval, 2> at; ///< enclosure, in the unit cell
+  std::array<Interval, 2> at{Interval(0), Interval(0)}; ///< enclosure, in the unit cell
   int cause = -1;             ///< for nodes and marks: index into the special points
   bool is_mark = false;       ///< a boundary point that is a mark as well
   std::vector<std::size_t> half_branches; ///< pieces in cyclic order, for nodes

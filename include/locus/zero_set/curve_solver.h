@@ -173,7 +173,7 @@ private:
       }
     if (crossings > 1) return false;
     if (crossings == 1) {
-      if (!has_single_critical_point(i) || tree_[i].box.max_width() > control_.node_width || !is_node_cell(i, last)) return false;
+      if (!has_single_critical_point(i, last) || tree_[i].box.max_width() > control_.node_width || !is_node_cell(i, last)) return false;
       node_cells_.push_back(i);
       node_of_.push_back(last);
       claim.kind = Claim_kind::crossing;
@@ -312,34 +312,89 @@ private:
     const auto f = face(tree_.bounded_form(cell), variable, true);
     for (std::size_t k = 0; k < f.size(); ++k)
       if (is_strict(sign_of(f[k]))) return false;
+    const auto fresh = face(system_.equations[0]->enclosure(tree_[cell].box), variable, true);
+    for (const Interval& c : fresh.coefficients())
+      if (is_strict(sign_of(c))) return false;
     return face(tree_.exact(cell), variable, true).is_zero();
   }
 
   // ------------------------------------------------------------------------------------------------- nodes
 
-  /// Design's three conditions: the cause proves a point with F = 0 and ∇F = 0; a dominant Hessian makes it the only
-  /// critical point of the cell, of degree -1; and the boundary has exactly 2(1-(-1)) = 4 crossings.
+  /// Three conditions make the zero set in a box two arcs that cross in p: the cause proves F = 0 and ∇F = 0 at p; a
+  /// dominant indefinite Hessian makes p the only critical point of the box, of degree -1; and the box's boundary has
+  /// exactly 2(1-(-1)) = 4 crossings. Where p lies on the unit cell's boundary, the polynomial is continued and the box
+  /// reaches over; F is strictly convex or concave along the boundary line, so that p is its only zero there and each
+  /// half-branch stays on its side: clipping keeps just those inside.
   bool is_node_cell(Index i, std::size_t special)
   {
     const Isolated_point& p = graph_.special[special];
-    if (p.on_boundary()) return false;
     const Box<2>& box = tree_[i].box;
     for (std::size_t v = 0; v < 2; ++v)
-      if (!(box.lo[v] < p.box[v].inf() && p.box[v].sup() < box.hi[v])) return false;
+      if (p.face[v] < 0 && !(box.lo[v] < p.box[v].inf() && p.box[v].sup() < box.hi[v])) return false;
     bool simple = true;
-    return boundary_crossings(i, simple).size() == 4 && simple;
+    const std::size_t crossings = boundary_crossings(i, p, simple).size();
+    if (!simple) return false;
+    return p.on_boundary() ? crossings_of_free_box(continued_box(box, p)) == 4 : crossings == 4;
   }
 
-  /// Whether a dominant indefinite Hessian holds on the cell: tested where the cell is still large, for on the smallest
-  /// ones the second differences drown in the coefficients' errors; it carries over to all parts.
-  bool has_single_critical_point(Index i)
+  /// The cell, continued over the unit cell's faces on which the point lies.
+  static Box<2> continued_box(Box<2> box, const Isolated_point& p)
+  {
+    for (std::size_t v = 0; v < 2; ++v) {
+      const double width = box.hi[v] - box.lo[v];
+      if (p.face[v] == 0) box.lo[v] -= width;
+      if (p.face[v] == 1) box.hi[v] += width;
+    }
+    return box;
+  }
+
+  /// Simple zeros on the boundary of a box that need not lie in the unit cell; -1 where they are not all simple or one
+  /// is a corner.
+  int crossings_of_free_box(const Box<2>& box)
+  {
+    int count = 0;
+    for (int v = 0; v < 2; ++v)
+      for (int side = 0; side < 2; ++side) {
+        const auto vv = static_cast<std::size_t>(v), w = 1 - vv;
+        const double fixed = side ? box.hi[vv] : box.lo[vv];
+        const auto thin = [&](double lo, double hi) {
+          Box<2> line;
+          line.lo[vv] = line.hi[vv] = fixed;
+          line.lo[w] = lo;
+          line.hi[w] = hi;
+          return bounded(face(system_.equations[0]->enclosure(line), v, false));
+        };
+        const auto exact = [&] {
+          const auto on_line = face(split(system_.equations[0]->exact(), v, Rational(fixed)).first, v, true);
+          return restrict_to(on_line, 0, Rational(box.lo[w]), Rational(box.hi[w]));
+        };
+        const Univariate f(thin(box.lo[w], box.hi[w]), box.lo[w], box.hi[w], exact, &graph_.statistics.filter);
+        const auto set = isolate_roots(f);
+        if (set.identically_zero || !set.complete) return -1;
+        for (const auto& root : set.roots) {
+          if (root.multiplicity != 1 || (root.is_exact() && (root.lo == box.lo[w] || root.hi == box.hi[w]))) return -1;
+          ++count;
+        }
+      }
+    return count;
+  }
+
+  /// Whether a dominant indefinite Hessian (and at the boundary, convexity along it) holds on the cell: tested where
+  /// the cell is still large, for on the smallest ones the second differences drown in the coefficients' errors; it
+  /// carries over to all parts.
+  bool has_single_critical_point(Index i, std::size_t special)
   {
     hessian_proved_.resize(tree_.size(), 0);
     const Index parent = tree_[i].parent;
     if (parent != Cell_tree::none && hessian_proved_[parent]) hessian_proved_[i] = 1;
-    if (!hessian_proved_[i] && has_dominant_indefinite_hessian(system_.equations[0]->enclosure(tree_[i].box)))
-      hessian_proved_[i] = 1;
-    return hessian_proved_[i] != 0;
+    if (hessian_proved_[i]) return true;
+    const Isolated_point& p = graph_.special[special];
+    const auto f = system_.equations[0]->enclosure(continued_box(tree_[i].box, p));
+    bool proved = has_dominant_indefinite_hessian(f);
+    for (int v = 0; v < 2; ++v)
+      if (p.face[static_cast<std::size_t>(v)] >= 0) proved = proved && !contains_zero(range(derivative(derivative(f, 1 - v), 1 - v)));
+    hessian_proved_[i] = proved;
+    return proved;
   }
 
   static Interval range(const Bernstein<Interval, 2>& f)
@@ -364,11 +419,12 @@ private:
   }
 
   /// Vertices where the zero set meets the cell's boundary, counterclockwise from the low corner; `simple` is false
-  /// where it does not cross there transversally.
-  std::vector<std::size_t> boundary_crossings(Index i, bool& simple)
+  /// where it does not cross there transversally. Faces of the unit cell on which the point `p` lies are left out.
+  std::vector<std::size_t> boundary_crossings(Index i, const Isolated_point& p, bool& simple)
   {
     std::vector<std::size_t> found;
     const auto walk = [&](int fixed_variable, int side, bool forward) {
+      if (p.face[static_cast<std::size_t>(fixed_variable)] == side) return;
       Face_segment& s = segments_.solved(face_of(i, fixed_variable, side));
       const auto w = static_cast<std::size_t>(1 - fixed_variable);
       const double a = tree_[i].box.lo[w], b = tree_[i].box.hi[w];
@@ -395,13 +451,16 @@ private:
   void trace_node_cell(Index i, std::size_t special)
   {
     const Isolated_point& p = graph_.special[special];
+    bool simple = true;
+    const std::vector<std::size_t> crossings = boundary_crossings(i, p, simple);
     Graph_vertex node;
-    node.kind = Graph_vertex::Kind::node;
+    node.kind = p.on_boundary() && crossings.size() < 2 ? Graph_vertex::Kind::end : Graph_vertex::Kind::node;
     node.at = p.box;
+    for (std::size_t v = 0; v < 2; ++v)
+      if (p.face[v] >= 0) node.at[v] = Interval(p.face[v]);
     node.cause = static_cast<int>(special);
     const std::size_t n = add_vertex(node);
-    bool simple = true;
-    for (const std::size_t v : boundary_crossings(i, simple)) {
+    for (const std::size_t v : crossings) {
       graph_.vertices[n].half_branches.push_back(graph_.pieces.size());
       Graph_piece piece;
       piece.cell = i;
@@ -613,7 +672,7 @@ private:
   {
     for (std::size_t v = 0; v < graph_.vertices.size(); ++v) {
       Graph_vertex& vertex = graph_.vertices[v];
-      if (vertex.kind == Graph_vertex::Kind::node || vertex.kind == Graph_vertex::Kind::mark) continue;
+      if (vertex.cause >= 0) continue;
       if (v >= where_.size() || where_[v].segment == no_special) throw std::logic_error("locus: a vertex without a place");
       Face_segment& s = segments_[where_[v].segment];
       auto& root = s.set.roots[where_[v].root];
@@ -695,7 +754,8 @@ private:
     }
     for (std::size_t v = 0; v < degree.size(); ++v) {
       Graph_vertex& vertex = graph_.vertices[v];
-      if (vertex.kind == Graph_vertex::Kind::boundary && degree[v] == 0) vertex.kind = Graph_vertex::Kind::isolated;
+      if ((vertex.kind == Graph_vertex::Kind::boundary || vertex.kind == Graph_vertex::Kind::end) && degree[v] == 0)
+        vertex.kind = Graph_vertex::Kind::isolated;
       // A smooth arc that only touches the boundary, or runs along it, goes on there.
       if (vertex.kind == Graph_vertex::Kind::boundary && degree[v] == 2 && !vertex.is_mark)
         vertex.kind = Graph_vertex::Kind::crossing;

@@ -39,9 +39,9 @@ public:
       }
       rename[b] = a;
       Graph_vertex& node = graph_.vertices[a];
-      node.kind = Graph_vertex::Kind::node;
       node.is_mark = false;
       node.half_branches = cyclic(first, a, b, pieces);
+      node.kind = node.half_branches.size() > 1 ? Graph_vertex::Kind::node : Graph_vertex::Kind::end;
     }
     for (Graph_piece& p : graph_.pieces) {
       p.from = rename[p.from];
