@@ -167,6 +167,21 @@ TEST_CASE("the modular test never calls polynomials with a common factor coprime
   CHECK(mpz_probab_prime_p(p.get_mpz_t(), 30) != 0);
 }
 
+TEST_CASE("products agree with the schoolbook", "[integer_polynomial]")
+{
+  Random random(69);
+  Samples samples;
+  for (int i = 0; i < 400; ++i) {
+    auto f = random_polynomial(random, random.below(9)), g = random_polynomial(random, random.below(9));
+    if (random.chance(30)) // coefficients of one word's size and its neighbours, where packing could carry
+      for (Integer& c : f) c = Integer(Integer(random.between(-1, 1)) << static_cast<unsigned>(random.between(62, 66))) + random.between(-1, 1);
+    if (f.back() == 0) f.back() = -1;
+    samples.expect(locus::multiply(f, g) == product(f, g), [&] { return show(f) + " times " + show(g); });
+  }
+  LOCUS_REQUIRE_SAMPLES(samples, 400);
+  CHECK(locus::multiply(Integer_polynomial{}, {Integer(1)}).empty());
+}
+
 TEST_CASE("exact quotients undo products, with the right sign, and refuse other divisors", "[integer_polynomial]")
 {
   Random random(65);

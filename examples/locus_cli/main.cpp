@@ -51,10 +51,7 @@ struct Settings {
 
 constexpr const char* standard = "-"; // standard input or output
 
-std::string shown(const std::string& path)
-{
-  return path == standard ? "standard input" : locus::printable(path, 400);
-}
+std::string shown(const std::string& path) { return path == standard ? "standard input" : locus::printable(path, 400); }
 
 int complain(const std::string& message, Exit status)
 {
@@ -65,18 +62,26 @@ int complain(const std::string& message, Exit status)
 
 // ---------------------------------------------------------------------------------------------------------- files
 
-std::string system_reason() { return errno == 0 ? std::string("unknown reason") : std::generic_category().message(errno); }
+std::string system_reason()
+{
+  return errno == 0 ? std::string("unknown reason") : std::generic_category().message(errno);
+}
 
 std::string read_text(const std::string& path)
 {
   if (path == standard) return locus::read_json_text(std::cin);
   std::error_code ignored; // a path that cannot be examined cannot be opened either, and that is reported
-  if (std::filesystem::is_directory(path, ignored)) throw Usage_error(shown(path) + ": is a directory; name a job file");
+  if (std::filesystem::is_directory(path, ignored))
+    throw Usage_error(shown(path) + ": is a directory; name a job file");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
-  if (!in) throw Usage_error(shown(path) + ": cannot be read (" + system_reason() + "); name a job file, or - for standard input");
+  if (!in)
+    throw Usage_error(shown(path) + ": cannot be read (" + system_reason() +
+                      "); name a job file, or - for standard input");
   std::string text = locus::read_json_text(in);
-  if (in.bad()) throw Usage_error(shown(path) + ": cannot be read (" + system_reason() + "); name a job file, or - for standard input");
+  if (in.bad())
+    throw Usage_error(shown(path) + ": cannot be read (" + system_reason() +
+                      "); name a job file, or - for standard input");
   return text;
 }
 
@@ -87,7 +92,8 @@ void write_output(const std::string& path, Write write)
   if (path == standard) {
     write(std::cout);
     std::cout.flush();
-    if (!std::cout) throw Usage_error("standard output: cannot be written (" + system_reason() + "); name an output file");
+    if (!std::cout)
+      throw Usage_error("standard output: cannot be written (" + system_reason() + "); name an output file");
     return;
   }
   std::ofstream out(path, std::ios::binary);
@@ -97,7 +103,9 @@ void write_output(const std::string& path, Write write)
     out.close();
     good = out.good();
   }
-  if (!good) throw Usage_error(shown(path) + ": cannot be written (" + system_reason() + "); name a file in a folder that you may write to");
+  if (!good)
+    throw Usage_error(shown(path) + ": cannot be written (" + system_reason() +
+                      "); name a file in a folder that you may write to");
 }
 
 void require_distinct_files(const Settings& settings)
@@ -108,7 +116,8 @@ void require_distinct_files(const Settings& settings)
     if (std::count(std::begin(outputs), std::end(outputs), outputs[i]) > 1)
       throw Usage_error(shown(outputs[i]) + ": named for two outputs; give each its own file");
     std::error_code absent; // a file that is not there yet is no other file
-    if (settings.job != standard && outputs[i] != standard && std::filesystem::equivalent(settings.job, outputs[i], absent))
+    if (settings.job != standard && outputs[i] != standard &&
+        std::filesystem::equivalent(settings.job, outputs[i], absent))
       throw Usage_error(shown(outputs[i]) + ": is the job itself; name another output file");
   }
 }
@@ -140,7 +149,9 @@ locus::Rational tolerance_of(const std::string& text)
   } catch (const std::invalid_argument& e) {
     throw Usage_error(std::string("--tolerance: ") + e.what() + "; give a positive number like 1e-6");
   }
-  if (*value <= 0) throw Usage_error("--tolerance: must be positive, not " + text + "; give a small part of the inputs' diameter, like 1e-6");
+  if (*value <= 0)
+    throw Usage_error("--tolerance: must be positive, not " + text +
+                      "; give a small part of the inputs' diameter, like 1e-6");
   return *value;
 }
 
@@ -158,7 +169,11 @@ int run(const Settings& settings)
 
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
   using Style = Progress_bar::Style;
-  Progress_bar bar(std::cerr, on_terminal ? Style::bar : settings.progress ? Style::lines : Style::none, settings.progress ? 0.0 : 1.0);
+  Progress_bar bar(std::cerr,
+                   on_terminal         ? Style::bar
+                   : settings.progress ? Style::lines
+                                       : Style::none,
+                   settings.progress ? 0.0 : 1.0);
   const auto cancel = std::make_shared<std::atomic<bool>>(false);
   interrupted = cancel.get();
   std::signal(SIGINT, on_interrupt);
@@ -178,7 +193,8 @@ int run(const Settings& settings)
   const double wanted = as_double(tolerance ? *tolerance : job.options.tolerance);
   const std::string json = !settings.json.empty() ? settings.json : settings.svg == standard ? "" : standard;
   if (!json.empty()) write_output(json, [&](std::ostream& out) { locus::write_json(out, result, wanted); });
-  if (!settings.svg.empty()) write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, result, {first, second}); });
+  if (!settings.svg.empty())
+    write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, result, {first, second}); });
   return result.status() == locus::Status::certified ? answered : something_undecided;
 }
 
@@ -203,11 +219,17 @@ int main(int argc, char** argv)
   app.set_version_flag("--version", "locus " LOCUS_VERSION, "print the version");
   app.add_option("JOB", settings.job, "the job, a JSON file; - for standard input");
   app.add_option("--json", settings.json, "where the result goes; - or none for standard output")->option_text("OUT");
-  app.add_option("--svg", settings.svg, "where a picture goes; - for standard output, instead of the result")->option_text("OUT");
+  app.add_option("--svg", settings.svg, "where a picture goes; - for standard output, instead of the result")
+    ->option_text("OUT");
   app.add_option("--ply", settings.ply, "where a mesh goes (surfaces)")->option_text("OUT");
   app.add_option("--certificate", settings.certificate, "where the proof goes")->option_text("OUT");
-  app.add_option("--tolerance", settings.tolerance, "greatest distance between polyline and locus, as a part of the inputs' diameter; wins over the job's")->option_text("E");
-  app.add_option("--max-cells", settings.max_cells, "examine at most so many cells")->option_text("N")->check(CLI::PositiveNumber);
+  app
+    .add_option("--tolerance", settings.tolerance,
+                "greatest distance between polyline and locus, as a part of the inputs' diameter; wins over the job's")
+    ->option_text("E");
+  app.add_option("--max-cells", settings.max_cells, "examine at most so many cells")
+    ->option_text("N")
+    ->check(CLI::PositiveNumber);
   app.add_option("--max-seconds", settings.max_seconds, "solve for at most so long")->option_text("S");
   app.add_flag("--progress", settings.progress, "show the progress from the beginning, also off a terminal");
   CLI::App* check = app.add_subcommand("check", "re-verify a certificate in exact rationals only");
@@ -232,7 +254,8 @@ int main(int argc, char** argv)
   } catch (const locus::Invalid_input& e) {
     return complain(job + ": " + e.what(), invalid_job);
   } catch (const locus::Unsupported_feature& e) {
-    return complain((check->parsed() ? "" : job + ": ") + ("not in this version yet: " + std::string(e.what())), missing_feature);
+    return complain((check->parsed() ? "" : job + ": ") + ("not in this version yet: " + std::string(e.what())),
+                    missing_feature);
   } catch (const std::exception& e) {
     return complain("internal error: " + std::string(e.what()), internal_error);
   }

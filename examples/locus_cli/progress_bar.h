@@ -24,7 +24,8 @@ public:
     const double seconds = elapsed();
     if (seconds < next_) return;
     next_ = seconds + (style_ == Style::bar ? 0.1 : 1.0);
-    const std::string counts = std::to_string(done) + " cells done, " + std::to_string(open) + " open, " + std::to_string(seconds).substr(0, 5) + " s";
+    const std::string counts = std::to_string(done) + " cells done, " + std::to_string(open) + " open, " +
+                               std::to_string(seconds).substr(0, 5) + " s";
     if (style_ == Style::lines) {
       out_ << "locus: " << counts << std::endl;
       return;

@@ -211,10 +211,7 @@ inline bool lies_on_diagonal(const Isolated_solution<2>& p, const std::array<std
   Integer_polynomial common;
   for (const auto& equation : equations) common = gcd(common, monomial_form(on_diagonal(equation->exact(), reversed)));
   if (degree(common) < 1) return common.empty();
-  const Rational lo(p.box[0].inf()), hi(p.box[0].sup());
-  for (const auto& root : exact_roots(bernstein_form(common), Rational(0), Rational(1)).roots)
-    if (root.lo <= hi && lo <= root.hi) return true;
-  return false;
+  return has_root_within(common, Rational(p.box[0].inf()), Rational(p.box[0].sup()));
 }
 
 /// F3 = (t - r)·G: the axis and G = 0 are solved apart and joined where they cross. The curves' common points on the

@@ -144,6 +144,13 @@ struct Arc_differential {
   double curvature = 0;           ///< signed in the plane: positive where the arc turns left
 };
 
+/// Points of an arc where one foot stands still, in order; `complete` is false where some stretch stayed open.
+template <int Dim>
+struct Irregular_points {
+  std::vector<Arc_point<Dim>> points;
+  bool complete = true;
+};
+
 /// What evaluates an arc; made by the construction that found it, immutable and safe to share between threads.
 template <int Dim>
 class Arc_geometry {
@@ -153,7 +160,7 @@ public:
   virtual Arc_differential<Dim> differential(double x) const = 0;
   virtual std::vector<Arc_point<Dim>> samples(std::size_t n) const = 0;
   virtual Polyline<Dim> polyline(double relative_tolerance) const = 0;
-  virtual std::vector<Arc_point<Dim>> irregular() const = 0;
+  virtual Irregular_points<Dim> irregular() const = 0;
 };
 
 /// A maximal arc of a locus between two vertices, or a closed loop.
@@ -183,7 +190,7 @@ public:
   /// inputs' units) says what was reached. Cost grows with the inverse square root of the tolerance.
   Polyline<Dim> polyline(double relative_tolerance) const { return geometry_->polyline(relative_tolerance); }
   /// Points where one foot stands still: the locus has a cusp there.
-  std::vector<Arc_point<Dim>> irregular() const { return geometry_->irregular(); }
+  Irregular_points<Dim> irregular() const { return geometry_->irregular(); }
 
 private:
   std::shared_ptr<const Arc_geometry<Dim>> geometry_;

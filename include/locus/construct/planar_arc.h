@@ -103,7 +103,7 @@ public:
     return with_upward_rounding([&] { return polyline_within(relative_tolerance); });
   }
 
-  std::vector<Arc_point<2>> irregular() const override
+  Irregular_points<2> irregular() const override
   {
     return with_upward_rounding([&] { return find_irregular(); });
   }
@@ -123,11 +123,11 @@ private:
 
   static bool is_pole(const Graph_vertex& v) { return v.kind == Graph_vertex::Kind::mark || v.is_mark; }
 
-  std::array<Interval, 2> parameters(const Piece_evaluator& e, double base, double guess) const
+  std::array<Interval, 2> parameters(const Piece_evaluator& e, double base, double guess, double wanted_width = 5e-13) const
   {
     std::array<Interval, 2> at;
     at[static_cast<std::size_t>(e.base())] = Interval(base);
-    at[static_cast<std::size_t>(e.pivot())] = e.pivot_at(base, guess);
+    at[static_cast<std::size_t>(e.pivot())] = e.pivot_at(base, guess, wanted_width);
     return at;
   }
 
@@ -293,6 +293,18 @@ private:
     return std::isfinite(bound) ? bound : infinite;
   }
 
+  /// Diameter of an enclosure of the arc between two knots and of the knots.
+  double enclosing_diameter(const Piece_evaluator& e, const Knot& a, const Knot& b) const
+  {
+    const auto pivot = static_cast<std::size_t>(e.pivot()), base = static_cast<std::size_t>(e.base());
+    std::array<Interval, 2> at;
+    at[base] = hull(a.base, b.base);
+    at[pivot] = e.range_over(a.base.inf(), b.base.sup(), a.placed.at[pivot], b.placed.at[pivot]);
+    const Vector_2<Interval> all = place(*s_, at).point;
+    const double d = diameter({hull(hull(all.x, a.placed.point.x), b.placed.point.x), hull(hull(all.y, a.placed.point.y), b.placed.point.y)});
+    return std::isfinite(d) ? d : std::numeric_limits<double>::infinity();
+  }
+
   /// Beyond this many points a polyline stops refining and reports the error it has reached.
   static constexpr std::size_t max_points = 1u << 20;
 
@@ -300,6 +312,7 @@ private:
     std::vector<Placed> points;
     double bend = 0;
     double tolerance = 0;
+    double parameter_width = 0; ///< wanted of the knots: they need not be finer than the polyline
   };
 
   void draw_between(const Piece_evaluator& e, const Knot& a, const Knot& b, int depth, Draft& draft, bool reversed) const
@@ -311,13 +324,18 @@ private:
       draft.points.push_back(reversed ? a.placed : b.placed);
       return;
     }
+    if (!std::isfinite(error) && depth >= 8) { // nothing is proved here: enclose the stretch as a whole
+      draft.bend = std::max(draft.bend, enclosing_diameter(e, a, b));
+      draft.points.push_back(reversed ? a.placed : b.placed);
+      return;
+    }
     const double wanted = std::isfinite(error) ? std::ceil(1.1 * std::sqrt(error / draft.tolerance)) : 4.0;
     const int parts = static_cast<int>(std::min(16.0, std::max(2.0, wanted)));
     const auto pivot = static_cast<std::size_t>(e.pivot());
     std::vector<Knot> knots{a};
     for (int k = 1; k < parts; ++k) {
       const double base = a.base.sup() + h * k / parts;
-      knots.push_back({Interval(base), place(*s_, parameters(e, base, midpoint(knots.back().placed.at[pivot])))});
+      knots.push_back({Interval(base), place(*s_, parameters(e, base, midpoint(knots.back().placed.at[pivot]), draft.parameter_width))});
     }
     knots.push_back(b);
     for (int k = 0; k < parts; ++k) {
@@ -340,6 +358,7 @@ private:
   {
     Draft draft;
     draft.tolerance = std::max(relative_tolerance, 0x1p-60) * s_->scale;
+    draft.parameter_width = std::max(5e-13, 1e-3 * std::min(relative_tolerance, 1e-3));
     for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) {
       const Stretch s = stretch(k);
       if (s.piece->is_half_branch) {
@@ -394,48 +413,69 @@ private:
   }
 
   /// Zeros of the derivative of the pivot along each piece: there one foot stands still. Pieces are halved until the
-  /// derivative has one sign, or changes it where its own derivative has one.
-  std::vector<Arc_point<2>> find_irregular() const
+  /// derivative has one sign, or changes it where its own derivative has one. What stays open after a fixed number of
+  /// steps is said to be open.
+  Irregular_points<2> find_irregular() const
   {
-    std::vector<Arc_point<2>> found;
+    Irregular_points<2> all;
     for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) {
       const Stretch s = stretch(k);
       if (s.piece->is_half_branch) continue;
       const Piece_evaluator e(*s.form, s.piece->base);
-      std::vector<Arc_point<2>> here;
-      search_irregular(e, knot_at(s, e, false), knot_at(s, e, true), 0, here);
-      if (s.reversed) std::reverse(here.begin(), here.end());
-      found.insert(found.end(), here.begin(), here.end());
+      if (e.has_strict_base_slope()) continue;
+      Irregular_search search{{}, max_irregular_steps};
+      search_irregular(e, knot_at(s, e, false), knot_at(s, e, true), search);
+      if (s.reversed) std::reverse(search.found.begin(), search.found.end());
+      all.points.insert(all.points.end(), search.found.begin(), search.found.end());
+      all.complete = all.complete && search.steps_left > 0;
     }
-    return found;
+    return all;
   }
 
-  void search_irregular(const Piece_evaluator& e, const Knot& a, const Knot& b, int depth, std::vector<Arc_point<2>>& found) const
+  static constexpr int max_irregular_steps = 4000;
+
+  struct Irregular_search {
+    std::vector<Arc_point<2>> found;
+    int steps_left;
+  };
+
+  void search_irregular(const Piece_evaluator& e, const Knot& a, const Knot& b, Irregular_search& search) const
   {
-    const auto jets = parameter_jets(e, a, b);
     const auto pivot = static_cast<std::size_t>(e.pivot());
+    const auto jets = parameter_jets(e, a, b);
     if (jets && !contains_zero((*jets)[pivot].first)) return;
     const double h = b.base.inf() - a.base.sup();
-    const bool monotone = jets && !contains_zero((*jets)[pivot].second);
-    if (monotone && slope_sign(e, a) * slope_sign(e, b) != Sign::negative && slope_sign(e, a) != Sign::zero) return;
-    if (depth >= 46 || !(h > 0x1p-44)) {
-      if (found.empty() || depth < 46) found.push_back(finished(*s_, a.placed));
+    if (--search.steps_left <= 0 || !(h > 0x1p-50)) {
+      search.steps_left = 0;
       return;
     }
     const double base = a.base.sup() + 0.5 * h;
-    const Knot m{Interval(base), place(*s_, parameters(e, base, midpoint(a.placed.at[pivot])))};
-    if (monotone) {
-      const Sign at_m = slope_sign(e, m);
-      if (at_m == Sign::unknown || at_m == Sign::zero) {
-        found.push_back(finished(*s_, m.placed));
-        return;
-      }
-      if (at_m == slope_sign(e, a)) search_irregular(e, m, b, depth + 1, found);
-      else search_irregular(e, a, m, depth + 1, found);
+    const Knot m{Interval(base), place(*s_, parameters(e, base, midpoint(a.placed.at[pivot]), 1e-10))};
+    if (jets && !contains_zero((*jets)[pivot].second)) return bisect_irregular(e, a, b, search);
+    search_irregular(e, a, m, search);
+    search_irregular(e, m, b, search);
+  }
+
+  /// The derivative is monotone from a to b: one zero or none, by the signs at the ends.
+  void bisect_irregular(const Piece_evaluator& e, Knot a, Knot b, Irregular_search& search) const
+  {
+    const auto pivot = static_cast<std::size_t>(e.pivot());
+    const Sign at_a = slope_sign(e, a), at_b = slope_sign(e, b);
+    if (is_strict(at_a) && at_a == at_b) return;
+    if (!is_strict(at_a) || !is_strict(at_b)) { // on a piece's end: the neighbour finds it too, or it is a boundary point
+      search.found.push_back(finished(*s_, (is_strict(at_a) ? b : a).placed));
       return;
     }
-    search_irregular(e, a, m, depth + 1, found);
-    search_irregular(e, m, b, depth + 1, found);
+    for (;;) {
+      const double h = b.base.inf() - a.base.sup(), base = a.base.sup() + 0.5 * h;
+      const Knot m{Interval(base), place(*s_, parameters(e, base, midpoint(a.placed.at[pivot])))};
+      const Sign at_m = slope_sign(e, m);
+      if (!(h > 1e-13) || !is_strict(at_m)) {
+        search.found.push_back(finished(*s_, m.placed));
+        return;
+      }
+      (at_m == at_a ? a : b) = m;
+    }
   }
 
   Sign slope_sign(const Piece_evaluator& e, const Knot& k) const

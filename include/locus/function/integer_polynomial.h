@@ -5,6 +5,7 @@
 #include <locus/function/scaled_integer_bernstein.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace locus {
@@ -22,7 +23,7 @@ inline void trim(Integer_polynomial& f)
 inline Integer content(const Integer_polynomial& f)
 {
   Integer g = 0;
-  for (const Integer& c : f) g = gcd(g, c);
+  for (auto c = f.rbegin(); c != f.rend() && g != 1; ++c) mpz_gcd(g.get_mpz_t(), g.get_mpz_t(), c->get_mpz_t());
   return g;
 }
 
@@ -32,22 +33,89 @@ inline Integer_polynomial primitive_part(Integer_polynomial f)
   if (f.empty()) return f;
   Integer g = content(f);
   if (f.back() < 0) g = -g;
+  if (g == 1) return f;
   for (Integer& c : f) mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), g.get_mpz_t());
   return f;
 }
 
-/// Remainder of lc(g)^k·f by g, up to a factor.
-inline Integer_polynomial pseudo_remainder(Integer_polynomial f, const Integer_polynomial& g)
+// Products, quotients and common divisors are formed of integers: the values at a power of two so large that the
+// coefficients do not meet.
+
+inline std::size_t bit_size(const Integer_polynomial& f)
 {
-  while (f.size() >= g.size()) {
-    const Integer lead = f.back();
-    const std::size_t shift = f.size() - g.size();
-    for (Integer& c : f) c *= g.back();
-    for (std::size_t i = 0; i < g.size(); ++i) f[i + shift] -= lead * g[i];
-    trim(f);
-    if (f.empty()) break;
+  std::size_t bits = 0;
+  for (const Integer& c : f) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
+  return bits;
+}
+
+/// Words of a power of two above twice any number of so many bits.
+inline std::size_t words_for(std::size_t bits) { return (bits + 1) / GMP_NUMB_BITS + 1; }
+
+/// f(2^(bits of `words` machine words)).
+inline Integer packed(const Integer_polynomial& f, std::size_t words)
+{
+  static_assert(GMP_NAIL_BITS == 0);
+  Integer positive, negative;
+  const auto size = static_cast<mp_size_t>(f.size() * words);
+  mp_limb_t* const p = mpz_limbs_write(positive.get_mpz_t(), size);
+  mp_limb_t* const n = mpz_limbs_write(negative.get_mpz_t(), size);
+  mpn_zero(p, size);
+  mpn_zero(n, size);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const mpz_srcptr c = f[i].get_mpz_t();
+    if (mpz_sgn(c) != 0)
+      mpn_copyi((mpz_sgn(c) > 0 ? p : n) + i * words, mpz_limbs_read(c), static_cast<mp_size_t>(mpz_size(c)));
   }
+  mpz_limbs_finish(positive.get_mpz_t(), size);
+  mpz_limbs_finish(negative.get_mpz_t(), size);
+  positive -= negative;
+  return positive;
+}
+
+/// The polynomial whose value x is, with coefficients of magnitude at most half the power of two.
+inline Integer_polynomial unpacked(const Integer& x, std::size_t words)
+{
+  Integer_polynomial f;
+  const std::size_t size = mpz_size(x.get_mpz_t());
+  bool carry = false;
+  for (std::size_t at = 0; at < size || carry; at += words) {
+    Integer c;
+    if (at < size) {
+      const std::size_t used = std::min(words, size - at);
+      mpn_copyi(mpz_limbs_write(c.get_mpz_t(), static_cast<mp_size_t>(used)), mpz_limbs_read(x.get_mpz_t()) + at, static_cast<mp_size_t>(used));
+      mpz_limbs_finish(c.get_mpz_t(), static_cast<mp_size_t>(used));
+    }
+    if (carry) ++c;
+    const std::size_t bits = words * GMP_NUMB_BITS;
+    carry = mpz_sizeinbase(c.get_mpz_t(), 2) >= bits;
+    if (carry) {
+      Integer whole;
+      mpz_setbit(whole.get_mpz_t(), bits);
+      c -= whole;
+    }
+    f.push_back(std::move(c));
+  }
+  if (x < 0)
+    for (Integer& c : f) mpz_neg(c.get_mpz_t(), c.get_mpz_t());
+  trim(f);
   return f;
+}
+
+/// f/g, nothing where g does not divide f over the integers. Neither is zero.
+inline std::optional<Integer_polynomial> quotient(const Integer_polynomial& f, const Integer_polynomial& g)
+{
+  if (f.size() < g.size()) return std::nullopt;
+  const std::size_t terms = f.size() - g.size() + 1;
+  for (std::size_t words = words_for(std::max(bit_size(f), bit_size(g)));; words += words) {
+    const Integer x = packed(f, words), y = packed(g, words);
+    if (!mpz_divisible_p(x.get_mpz_t(), y.get_mpz_t())) return std::nullopt;
+    Integer z;
+    mpz_divexact(z.get_mpz_t(), x.get_mpz_t(), y.get_mpz_t());
+    Integer_polynomial q = unpacked(z, words);
+    // The values agree: so do the polynomials, if the product's coefficients are small enough to be read off.
+    if (q.size() == terms && words_for(bit_size(q) + bit_size(g) + mpz_sizeinbase(Integer(std::min(terms, g.size())).get_mpz_t(), 2)) <= words)
+      return q;
+  }
 }
 
 /// Arithmetic modulo a prime below 2^31, to see quickly that two polynomials have no common factor.
@@ -100,8 +168,17 @@ inline Integer_polynomial derivative(const Integer_polynomial& f)
   return d;
 }
 
+inline Integer_polynomial multiply(const Integer_polynomial& f, const Integer_polynomial& g)
+{
+  if (f.empty() || g.empty()) return {};
+  const Integer terms(std::min(f.size(), g.size()));
+  const std::size_t words = detail::words_for(detail::bit_size(f) + detail::bit_size(g) + mpz_sizeinbase(terms.get_mpz_t(), 2));
+  return detail::unpacked(Integer(detail::packed(f, words) * detail::packed(g, words)), words);
+}
+
 /// Greatest common divisor, primitive, with positive leading coefficient. A modular test answers the usual case
-/// (coprime) at once; else the primitive remainder sequence.
+/// (coprime) at once; else it is read off the common divisor of the two values at a large power of two (Char, Geddes &
+/// Gonnet 1989) and proved by division.
 inline Integer_polynomial gcd(Integer_polynomial f, Integer_polynomial g)
 {
   f = detail::primitive_part(std::move(f));
@@ -109,35 +186,27 @@ inline Integer_polynomial gcd(Integer_polynomial f, Integer_polynomial g)
   if (f.empty()) return g;
   if (g.empty()) return f;
   if (detail::certainly_coprime(f, g)) return {Integer(1)};
-  if (f.size() < g.size()) std::swap(f, g);
-  while (!g.empty()) {
-    Integer_polynomial r = detail::primitive_part(detail::pseudo_remainder(std::move(f), g));
-    f = std::move(g);
-    g = std::move(r);
+  // The power exceeds 2 + 2·max|coefficient|, so that what divides both is the greatest common divisor: a further
+  // factor of it would be greater there than half the power, which bounds the integer that was read as content.
+  for (std::size_t words = detail::words_for(std::max(detail::bit_size(f), detail::bit_size(g)) + 2);; words += 1 + words / 4) {
+    const Integer x = detail::packed(f, words), y = detail::packed(g, words);
+    Integer_polynomial h = detail::primitive_part(detail::unpacked(Integer(::gcd(x, y)), words));
+    if (detail::quotient(f, h) && detail::quotient(g, h)) return h;
   }
-  return f;
 }
 
 /// f/g for g dividing f over the rationals, as a primitive polynomial (its sign follows f and g).
 inline Integer_polynomial exact_quotient(Integer_polynomial f, const Integer_polynomial& g)
 {
-  Integer_polynomial q(f.size() >= g.size() ? f.size() - g.size() + 1 : 0, Integer(0));
-  while (!f.empty() && f.size() >= g.size()) {
-    const Integer common = ::gcd(f.back(), g.back());
-    const Integer scale = abs(Integer(g.back() / common));
-    for (Integer& c : f) c *= scale;
-    for (Integer& c : q) c *= scale;
-    const Integer factor = f.back() / g.back();
-    const std::size_t shift = f.size() - g.size();
-    q[shift] += factor;
-    for (std::size_t i = 0; i < g.size(); ++i) f[i + shift] -= factor * g[i];
-    detail::trim(f);
-  }
-  if (!f.empty()) throw std::domain_error("exact_quotient: the divisor does not divide");
-  const Integer c = detail::content(q);
-  if (c != 0)
-    for (Integer& x : q) mpz_divexact(x.get_mpz_t(), x.get_mpz_t(), c.get_mpz_t());
-  return q;
+  detail::trim(f);
+  if (f.empty()) return f;
+  if (g.empty()) throw std::domain_error("exact_quotient: division by zero");
+  const bool negative = (f.back() < 0) != (g.back() < 0);
+  auto q = detail::quotient(detail::primitive_part(std::move(f)), detail::primitive_part(g)); // Gauss: then it is integral
+  if (!q) throw std::domain_error("exact_quotient: the divisor does not divide");
+  if (negative)
+    for (Integer& c : *q) mpz_neg(c.get_mpz_t(), c.get_mpz_t());
+  return std::move(*q);
 }
 
 /// A square-free factor and how often it divides.
@@ -159,6 +228,10 @@ inline std::vector<Square_free_factor> square_free_decomposition(const Integer_p
   }
   Integer_polynomial product = exact_quotient(f, common), repeated = common;
   for (int multiplicity = 1; degree(product) > 0; ++multiplicity) {
+    if (degree(repeated) == 0) {
+      result.push_back({std::move(product), multiplicity});
+      break;
+    }
     const Integer_polynomial next = gcd(product, repeated);
     Integer_polynomial factor = exact_quotient(product, next);
     if (degree(factor) > 0) result.push_back({std::move(factor), multiplicity});

@@ -147,6 +147,20 @@ Rational evaluate(const Bernstein<Scaled_integer, D>& f, const std::array<Ration
   return evaluate(f.rational(), point);
 }
 
+/// Sign at a rational p/q, from Σ C(n,i)·c_i·p^i·(q-p)^(n-i) in integers: O(n) products, no fractions.
+inline Sign sign_at(const Bernstein<Scaled_integer, 1>& f, const Rational& u)
+{
+  const Integer p = u.get_num(), rest = u.get_den() - p;
+  const int n = f.degree();
+  Integer sum = 0, power = 1;
+  for (int i = n; i >= 0; --i) {
+    sum *= p;
+    sum += binomial<Integer>(n, i) * f.values()[static_cast<std::size_t>(i)] * power;
+    power *= rest;
+  }
+  return sign_of(sum);
+}
+
 // The remaining algebra runs once an equation, not in a loop: it goes through rationals and clears the fractions once.
 
 template <int D>

@@ -95,7 +95,8 @@ inline std::string suggestion(std::string_view word, const Words& known)
       best = k;
     }
   }
-  if (!best.empty() && least <= std::max<std::size_t>(2, best.size() / 3)) return "did you mean \"" + std::string(best) + "\"?";
+  if (!best.empty() && least <= std::max<std::size_t>(2, best.size() / 3))
+    return "did you mean \"" + std::string(best) + "\"?";
   std::string all = "use ";
   for (std::size_t i = 0; i < known.size(); ++i)
     all += (i == 0 ? "" : i + 1 == known.size() ? " or " : ", ") + ("\"" + std::string(known[i]) + "\"");
@@ -111,20 +112,26 @@ inline std::string element(const std::string& place, std::size_t i) { return pla
 inline std::string shown(const Json_value& v)
 {
   switch (v.kind) {
-  case Json_value::Kind::boolean: return v.truth ? "true" : "false";
-  case Json_value::Kind::number: return "the number " + printable(v.text, 40);
-  case Json_value::Kind::string: return "the string \"" + printable(v.text, 40) + "\"";
-  default: return name_of(v.kind);
+  case Json_value::Kind::boolean:
+    return v.truth ? "true" : "false";
+  case Json_value::Kind::number:
+    return "the number " + printable(v.text, 40);
+  case Json_value::Kind::string:
+    return "the string \"" + printable(v.text, 40) + "\"";
+  default:
+    return name_of(v.kind);
   }
 }
 
-[[noreturn]] inline void wrong_type(const Json_value& v, const std::string& place, const std::string& wanted, const std::string& remedy)
+[[noreturn]] inline void wrong_type(const Json_value& v, const std::string& place, const std::string& wanted,
+                                    const std::string& remedy)
 {
   throw Invalid_input(place, "must be " + wanted + ", not " + shown(v), remedy);
 }
 
 /// Requires an object with no other keys than the known ones.
-inline void require_object(const Json_value& v, const std::string& place, const Words& known, const std::string& example)
+inline void require_object(const Json_value& v, const std::string& place, const Words& known,
+                           const std::string& example)
 {
   if (v.kind != Json_value::Kind::object) wrong_type(v, place, "an object", "write " + example);
   for (const std::string& key : v.keys)
@@ -132,14 +139,16 @@ inline void require_object(const Json_value& v, const std::string& place, const 
       throw Invalid_input(place, "unknown key \"" + printable(key) + "\"", suggestion(key, known));
 }
 
-inline const Json_value& require_key(const Json_value& v, const std::string& place, const char* key, const std::string& remedy)
+inline const Json_value& require_key(const Json_value& v, const std::string& place, const char* key,
+                                     const std::string& remedy)
 {
   const Json_value* found = v.find(key);
   if (!found) throw Invalid_input(place, "the key \"" + std::string(key) + "\" is missing", remedy);
   return *found;
 }
 
-inline const std::vector<Json_value>& require_list(const Json_value& v, const std::string& place, const std::string& remedy)
+inline const std::vector<Json_value>& require_list(const Json_value& v, const std::string& place,
+                                                   const std::string& remedy)
 {
   if (v.kind != Json_value::Kind::array) wrong_type(v, place, "a list", remedy);
   return v.items;
@@ -155,14 +164,17 @@ inline bool read_bool(const Json_value& v, const std::string& place)
 inline Rational read_number(const Json_value& v, const std::string& place)
 {
   const std::string remedy = "write a finite decimal like -0.25e3 or a string like \"2/3\"";
-  if (v.kind != Json_value::Kind::number && v.kind != Json_value::Kind::string) wrong_type(v, place, "a number", remedy);
+  if (v.kind != Json_value::Kind::number && v.kind != Json_value::Kind::string)
+    wrong_type(v, place, "a number", remedy);
   if (v.text.size() > max_json_number)
-    throw Invalid_input(place, "a number of " + std::to_string(v.text.size()) + " characters", "use at most " + std::to_string(max_json_number));
+    throw Invalid_input(place, "a number of " + std::to_string(v.text.size()) + " characters",
+                        "use at most " + std::to_string(max_json_number));
   try {
     return parse_rational(v.text);
   } catch (const std::invalid_argument& e) {
     std::string_view reason = e.what();
-    if (const auto bracket = reason.find(" (write"); bracket != std::string_view::npos) reason = reason.substr(0, bracket);
+    if (const auto bracket = reason.find(" (write"); bracket != std::string_view::npos)
+      reason = reason.substr(0, bracket);
     throw Invalid_input(place, printable(reason, 160), remedy);
   }
 }
@@ -179,8 +191,12 @@ inline std::vector<Rational> read_numbers(const Json_value& v, const std::string
 inline int read_degree(const Json_value& v, const std::string& place)
 {
   const Rational x = read_number(v, place);
-  if (x.get_den() != 1 || x < 1) throw Invalid_input(place, "the degree must be a whole number from 1 on, not " + printable(v.text, 40), "use the number of control points less one for a Bézier curve");
-  if (x > static_cast<int>(max_json_values)) throw Invalid_input(place, "the degree " + printable(v.text, 40) + " needs more control points than a job can hold", "lower it");
+  if (x.get_den() != 1 || x < 1)
+    throw Invalid_input(place, "the degree must be a whole number from 1 on, not " + printable(v.text, 40),
+                        "use the number of control points less one for a Bézier curve");
+  if (x > static_cast<int>(max_json_values))
+    throw Invalid_input(place, "the degree " + printable(v.text, 40) + " needs more control points than a job can hold",
+                        "lower it");
   return static_cast<int>(x.get_num().get_si());
 }
 
@@ -195,12 +211,14 @@ inline std::vector<Rational> read_point(const Json_value& v, const std::string& 
   const auto& items = require_list(v, place, "write a point as [x, y] or [x, y, z]");
   if (items.size() != 2 && items.size() != 3)
     throw Invalid_input(place, "a point has 2 or 3 coordinates, not " + std::to_string(items.size()),
-                        items.size() == 4 ? "write [x, y] or [x, y, z], and weights under \"weights\"" : "write [x, y] or [x, y, z]");
+                        items.size() == 4 ? "write [x, y] or [x, y, z], and weights under \"weights\""
+                                          : "write [x, y] or [x, y, z]");
   const int n = static_cast<int>(items.size());
   if (dimension.value == 0) dimension = {n, place};
   if (n != dimension.value)
-    throw Invalid_input(place, std::to_string(n) + " coordinates, but " + dimension.from + " has " + std::to_string(dimension.value),
-                        "give all points of a job the same number of coordinates");
+    throw Invalid_input(
+      place, std::to_string(n) + " coordinates, but " + dimension.from + " has " + std::to_string(dimension.value),
+      "give all points of a job the same number of coordinates");
   return read_numbers(v, place);
 }
 
@@ -230,12 +248,16 @@ inline Knots read_knots(const Json_value& v, const std::string& place, int degre
   const auto& u = knots.values;
   const std::size_t wanted = points + knots.order();
   if (u.size() != wanted)
-    throw Invalid_input(place, std::to_string(u.size()) + " knots for " + std::to_string(points) + " control points of degree " + std::to_string(degree),
+    throw Invalid_input(place,
+                        std::to_string(u.size()) + " knots for " + std::to_string(points) +
+                          " control points of degree " + std::to_string(degree),
                         "give " + std::to_string(wanted) + ": control points + degree + 1");
   std::size_t repeated = 1;
   for (std::size_t i = 1; i < u.size(); ++i) {
     if (u[i] < u[i - 1])
-      throw Invalid_input(element(place, i), "knots must not decrease, but " + u[i].get_str() + " follows " + u[i - 1].get_str(), "sort them");
+      throw Invalid_input(element(place, i),
+                          "knots must not decrease, but " + u[i].get_str() + " follows " + u[i - 1].get_str(),
+                          "sort them");
     repeated = u[i] == u[i - 1] ? repeated + 1 : 1;
     const bool inside = knots.start() < u[i] && u[i] < knots.finish();
     if (repeated > knots.order() - (inside ? 1 : 0))
@@ -243,19 +265,22 @@ inline Knots read_knots(const Json_value& v, const std::string& place, int degre
                           "repeat an end knot at most degree + 1 times, an inner knot at most degree times");
   }
   if (knots.start() == knots.finish())
-    throw Invalid_input(place, "the knots span no interval", "let knots[degree] be less than knots[number of control points]");
+    throw Invalid_input(place, "the knots span no interval",
+                        "let knots[degree] be less than knots[number of control points]");
   return knots;
 }
 
 /// Bernstein coefficients, on the span [u_k, u_k+1], of the spline with these coefficients: values of its polar form
 /// with j arguments at the span's end and the others at its start.
-inline std::vector<Rational> bernstein_of_span(const std::vector<Rational>& coefficients, const Knots& knots, std::size_t k)
+inline std::vector<Rational> bernstein_of_span(const std::vector<Rational>& coefficients, const Knots& knots,
+                                               std::size_t k)
 {
   const std::size_t d = knots.order() - 1;
   const auto& u = knots.values;
   std::vector<Rational> out;
   for (std::size_t j = 0; j <= d; ++j) {
-    std::vector<Rational> c(coefficients.begin() + static_cast<std::ptrdiff_t>(k - d), coefficients.begin() + static_cast<std::ptrdiff_t>(k + 1));
+    std::vector<Rational> c(coefficients.begin() + static_cast<std::ptrdiff_t>(k - d),
+                            coefficients.begin() + static_cast<std::ptrdiff_t>(k + 1));
     for (std::size_t level = 1; level <= d; ++level) {
       const Rational& at = level <= j ? u[k + 1] : u[k];
       for (std::size_t i = d; i >= level; --i) {
@@ -272,7 +297,8 @@ inline std::vector<Rational> bernstein_of_span(const std::vector<Rational>& coef
 // -------------------------------------------------------------------------------------------------------- curves
 
 /// Control points and weights as homogeneous coordinates: the numerators, then the weight.
-inline std::vector<std::vector<Rational>> homogeneous(const std::vector<std::vector<Rational>>& points, const std::vector<Rational>& weights)
+inline std::vector<std::vector<Rational>> homogeneous(const std::vector<std::vector<Rational>>& points,
+                                                      const std::vector<Rational>& weights)
 {
   std::vector<std::vector<Rational>> out(points[0].size() + 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -327,11 +353,14 @@ inline void read_spline(const Control_data& data, const Knots& knots, Job_input&
   while (first < h.back().size() && h.back()[first] == 0) ++first;
   if (first == h.back().size()) throw Invalid_input(".weights", "all weights are zero", "use positive weights");
   bool one_point = true;
-  for (std::size_t i = first + 1; i < data.points.size() && one_point; ++i) one_point = h.back()[i] == 0 || same_point(h, first, i);
+  for (std::size_t i = first + 1; i < data.points.size() && one_point; ++i)
+    one_point = h.back()[i] == 0 || same_point(h, first, i);
   if (one_point) throw Invalid_input(".control_points", "the curve is a single point", "use a point input instead");
 
   const std::vector<std::size_t> spans = knots.spans();
-  const bool may_have_poles = std::any_of(data.weights.begin(), data.weights.end(), [&](const Rational& w) { return sgn(w) != sgn(data.weights[0]) || sgn(w) == 0; });
+  const bool may_have_poles = std::any_of(data.weights.begin(), data.weights.end(), [&](const Rational& w) {
+    return sgn(w) != sgn(data.weights[0]) || sgn(w) == 0;
+  });
   if (may_have_poles)
     for (const std::size_t k : spans)
       reject_poles(Bernstein<Rational, 1>(Degrees<1>{knots.degree}, bernstein_of_span(h.back(), knots, k)));
@@ -368,10 +397,12 @@ inline void require_closed(const Control_data& data, const std::optional<Knots>&
   auto h = homogeneous(data.points, data.weights);
   if (knots) {
     const auto spans = knots->spans();
-    for (auto& x : h) x = {bernstein_of_span(x, *knots, spans.front()).front(), bernstein_of_span(x, *knots, spans.back()).back()};
+    for (auto& x : h)
+      x = {bernstein_of_span(x, *knots, spans.front()).front(), bernstein_of_span(x, *knots, spans.back()).back()};
   }
   if (!same_point(h, 0, h.back().size() - 1))
-    throw Invalid_input(".closed", "the ends of the curve do not coincide", "let it end where it starts, or leave out \"closed\"");
+    throw Invalid_input(".closed", "the ends of the curve do not coincide",
+                        "let it end where it starts, or leave out \"closed\"");
 }
 
 inline void require_affordable(int degree, Job_input& input)
@@ -381,12 +412,15 @@ inline void require_affordable(int degree, Job_input& input)
 
 inline void read_control_curve(const Json_value& v, const std::string& place, Dimension& dimension, Job_input& input)
 {
-  const int degree = read_degree(require_key(v, place, "degree", "give the degree, like \"degree\": 3"), member(place, "degree"));
+  const int degree =
+    read_degree(require_key(v, place, "degree", "give the degree, like \"degree\": 3"), member(place, "degree"));
   const std::string points_place = member(place, "control_points");
-  const auto& list = require_list(require_key(v, place, "control_points", "list the control points, like [[0,0],[1,2]]"), points_place,
-                                  "list the control points, like [[0,0],[1,2]]");
+  const auto& list =
+    require_list(require_key(v, place, "control_points", "list the control points, like [[0,0],[1,2]]"), points_place,
+                 "list the control points, like [[0,0],[1,2]]");
   Control_data data;
-  for (const Json_value& p : list) data.points.push_back(read_point(p, element(points_place, data.points.size()), dimension));
+  for (const Json_value& p : list)
+    data.points.push_back(read_point(p, element(points_place, data.points.size()), dimension));
   const Json_value* knot_list = v.find("knots");
   const auto n = list.size(), order = static_cast<std::size_t>(degree) + 1;
   if (knot_list ? n < order : n != order)
@@ -396,7 +430,8 @@ inline void read_control_curve(const Json_value& v, const std::string& place, Di
   if (const Json_value* w = v.find("weights")) {
     data.weights = read_numbers(*w, member(place, "weights"));
     if (data.weights.size() != n)
-      throw Invalid_input(member(place, "weights"), std::to_string(data.weights.size()) + " weights for " + std::to_string(n) + " control points",
+      throw Invalid_input(member(place, "weights"),
+                          std::to_string(data.weights.size()) + " weights for " + std::to_string(n) + " control points",
                           "give one weight for each control point, or none");
   }
   std::optional<Knots> knots;
@@ -425,7 +460,8 @@ inline void read_monomial_curve(const Json_value& v, const std::string& place, D
 {
   for (const char* other : {"degree", "control_points", "weights", "knots"})
     if (v.find(other))
-      throw Invalid_input(place, "\"monomial\" and \"" + std::string(other) + "\" exclude each other", "describe the curve in one way");
+      throw Invalid_input(place, "\"monomial\" and \"" + std::string(other) + "\" exclude each other",
+                          "describe the curve in one way");
   const std::string form_place = member(place, "monomial");
   const std::string example = "{\"x\": [a0, a1], \"y\": [b0, b1]}";
   const Json_value& form = *v.find("monomial");
@@ -438,8 +474,9 @@ inline void read_monomial_curve(const Json_value& v, const std::string& place, D
   const int n = static_cast<int>(h.size());
   if (dimension.value == 0) dimension = {n, form_place};
   if (n != dimension.value)
-    throw Invalid_input(form_place, std::to_string(n) + " coordinates, but " + dimension.from + " has " + std::to_string(dimension.value),
-                        "give all inputs of a job the same number of coordinates");
+    throw Invalid_input(
+      form_place, std::to_string(n) + " coordinates, but " + dimension.from + " has " + std::to_string(dimension.value),
+      "give all inputs of a job the same number of coordinates");
   const Json_value* w = form.find("w");
   h.push_back(w ? read_numbers(*w, member(form_place, "w")) : std::vector<Rational>{1});
   constexpr const char* planar[] = {"x", "y", "w"};
@@ -447,7 +484,8 @@ inline void read_monomial_curve(const Json_value& v, const std::string& place, D
   std::size_t size = 0;
   for (std::size_t k = 0; k < h.size(); ++k) {
     if (h[k].empty())
-      throw Invalid_input(member(form_place, n == 2 ? planar[k] : spatial[k]), "no coefficients", "give the coefficients of 1, u, u²… ([0] for zero)");
+      throw Invalid_input(member(form_place, n == 2 ? planar[k] : spatial[k]), "no coefficients",
+                          "give the coefficients of 1, u, u²… ([0] for zero)");
     size = std::max(size, h[k].size());
   }
   for (auto& x : h) x.resize(size);
@@ -458,18 +496,23 @@ inline void read_monomial_curve(const Json_value& v, const std::string& place, D
   while (h.back()[first] == 0) ++first;
   bool one_point = true;
   for (std::size_t k = 0; k + 1 < h.size(); ++k)
-    for (std::size_t i = 0; i < size; ++i) one_point = one_point && h[k][i] * h.back()[first] == h.back()[i] * h[k][first];
+    for (std::size_t i = 0; i < size; ++i)
+      one_point = one_point && h[k][i] * h.back()[first] == h.back()[i] * h[k][first];
   if (one_point) throw Invalid_input(form_place, "the curve is a single point", "use a point input instead");
 
   const std::string domain_place = member(place, "domain");
   const std::string domain_remedy = "write \"domain\": [lo, hi], where \"-inf\" and \"inf\" are allowed";
   const auto& domain = require_list(require_key(v, place, "domain", domain_remedy), domain_place, domain_remedy);
-  if (domain.size() != 2) throw Invalid_input(domain_place, std::to_string(domain.size()) + " numbers for an interval", domain_remedy);
-  const auto is = [](const Json_value& x, const char* word) { return x.kind == Json_value::Kind::string && x.text == word; };
+  if (domain.size() != 2)
+    throw Invalid_input(domain_place, std::to_string(domain.size()) + " numbers for an interval", domain_remedy);
+  const auto is = [](const Json_value& x, const char* word) {
+    return x.kind == Json_value::Kind::string && x.text == word;
+  };
   std::optional<Rational> lo, hi;
   if (!is(domain[0], "-inf")) lo = read_number(domain[0], element(domain_place, 0));
   if (!is(domain[1], "inf")) hi = read_number(domain[1], element(domain_place, 1));
-  if (lo && hi && *lo >= *hi) throw Invalid_input(domain_place, "the interval is empty", "let the first number be less than the second");
+  if (lo && hi && *lo >= *hi)
+    throw Invalid_input(domain_place, "the interval is empty", "let the first number be less than the second");
   if (const Json_value* closed = v.find("closed")) read_bool(*closed, member(place, "closed"));
   input.dimension = n;
   input.missing = "curves in monomial form";
@@ -485,7 +528,8 @@ inline void read_curve(const Json_value& v, const std::string& place, Dimension&
     return;
   }
   if (v.find("domain"))
-    throw Invalid_input(place, "\"domain\" belongs to curves in monomial form", "leave it out, or give \"monomial\" instead of control points");
+    throw Invalid_input(place, "\"domain\" belongs to curves in monomial form",
+                        "leave it out, or give \"monomial\" instead of control points");
   read_control_curve(v, place, dimension, input);
 }
 
@@ -499,8 +543,11 @@ inline void read_surface(const Json_value& v, const std::string& place, Dimensio
   require_object(v, place, {"degrees", "control_points", "weights", "knots"},
                  "{\"degrees\": [1,1], \"control_points\": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]]}");
   const std::string degrees_place = member(place, "degrees"), points_place = member(place, "control_points");
-  const auto& degree_list = require_list(require_key(v, place, "degrees", "give both degrees, like [2, 2]"), degrees_place, "give both degrees, like [2, 2]");
-  if (degree_list.size() != 2) throw Invalid_input(degrees_place, std::to_string(degree_list.size()) + " degrees for two parameters", "give both degrees, like [2, 2]");
+  const auto& degree_list = require_list(require_key(v, place, "degrees", "give both degrees, like [2, 2]"),
+                                         degrees_place, "give both degrees, like [2, 2]");
+  if (degree_list.size() != 2)
+    throw Invalid_input(degrees_place, std::to_string(degree_list.size()) + " degrees for two parameters",
+                        "give both degrees, like [2, 2]");
   std::array<int, 2> degrees{};
   for (std::size_t k = 0; k < 2; ++k) degrees[k] = read_degree(degree_list[k], element(degrees_place, k));
 
@@ -514,10 +561,13 @@ inline void read_surface(const Json_value& v, const std::string& place, Dimensio
     const auto& row = require_list(rows[i], row_place, rows_remedy);
     if (i == 0) size[1] = row.size();
     if (row.size() != size[1])
-      throw Invalid_input(row_place, std::to_string(row.size()) + " points in a row, but " + std::to_string(size[1]) + " in the first", "make all rows equally long");
+      throw Invalid_input(
+        row_place, std::to_string(row.size()) + " points in a row, but " + std::to_string(size[1]) + " in the first",
+        "make all rows equally long");
     for (std::size_t j = 0; j < row.size(); ++j) {
       const auto p = read_point(row[j], element(row_place, j), dimension);
-      if (p.size() != 3) throw Invalid_input(element(row_place, j), "a surface's points have 3 coordinates, not 2", "write [x, y, z]");
+      if (p.size() != 3)
+        throw Invalid_input(element(row_place, j), "a surface's points have 3 coordinates, not 2", "write [x, y, z]");
       if (first_point.empty()) first_point = p;
       one_point = one_point && p == first_point;
     }
@@ -526,7 +576,9 @@ inline void read_surface(const Json_value& v, const std::string& place, Dimensio
   for (std::size_t k = 0; k < 2; ++k) {
     const auto order = static_cast<std::size_t>(degrees[k]) + 1;
     if (knots ? size[k] < order : size[k] != order)
-      throw Invalid_input(points_place, std::to_string(size[k]) + (k == 0 ? " rows" : " points in a row") + " for degree " + std::to_string(degrees[k]),
+      throw Invalid_input(points_place,
+                          std::to_string(size[k]) + (k == 0 ? " rows" : " points in a row") + " for degree " +
+                            std::to_string(degrees[k]),
                           std::string(knots ? "give at least" : "give") + " degree + 1 = " + std::to_string(order));
   }
   if (one_point) throw Invalid_input(points_place, "the surface is a single point", "use a point input instead");
@@ -534,12 +586,17 @@ inline void read_surface(const Json_value& v, const std::string& place, Dimensio
     const std::string weights_place = member(place, "weights");
     const auto& weight_rows = require_list(*weights, weights_place, "list rows of weights, one for each control point");
     if (weight_rows.size() != size[0])
-      throw Invalid_input(weights_place, std::to_string(weight_rows.size()) + " rows of weights for " + std::to_string(size[0]) + " rows of control points", "give one weight for each control point, or none");
+      throw Invalid_input(weights_place,
+                          std::to_string(weight_rows.size()) + " rows of weights for " + std::to_string(size[0]) +
+                            " rows of control points",
+                          "give one weight for each control point, or none");
     bool all_zero = true;
     for (std::size_t i = 0; i < weight_rows.size(); ++i) {
       const auto row = read_numbers(weight_rows[i], element(weights_place, i));
       if (row.size() != size[1])
-        throw Invalid_input(element(weights_place, i), std::to_string(row.size()) + " weights for " + std::to_string(size[1]) + " control points", "give one weight for each control point, or none");
+        throw Invalid_input(element(weights_place, i),
+                            std::to_string(row.size()) + " weights for " + std::to_string(size[1]) + " control points",
+                            "give one weight for each control point, or none");
       all_zero = all_zero && std::all_of(row.begin(), row.end(), [](const Rational& w) { return w == 0; });
     }
     if (all_zero) throw Invalid_input(weights_place, "all weights are zero", "use positive weights");
@@ -547,7 +604,9 @@ inline void read_surface(const Json_value& v, const std::string& place, Dimensio
   if (knots) {
     const std::string knots_place = member(place, "knots");
     const auto& lists = require_list(*knots, knots_place, "give two lists of knots");
-    if (lists.size() != 2) throw Invalid_input(knots_place, std::to_string(lists.size()) + " lists of knots for two parameters", "give two lists of knots");
+    if (lists.size() != 2)
+      throw Invalid_input(knots_place, std::to_string(lists.size()) + " lists of knots for two parameters",
+                          "give two lists of knots");
     for (std::size_t k = 0; k < 2; ++k) read_knots(lists[k], element(knots_place, k), degrees[k], size[k]);
   }
   input.dimension = 3;
@@ -559,7 +618,9 @@ inline Job_input read_input(const Json_value& v, const std::string& place, Dimen
   input.place = place;
   require_object(v, place, {"point", "curve", "surface"}, "{\"curve\": {…}} or {\"point\": [x, y]}");
   if (v.keys.size() != 1)
-    throw Invalid_input(place, v.keys.empty() ? "an input must say what it is" : "an input is one thing, not " + std::to_string(v.keys.size()),
+    throw Invalid_input(place,
+                        v.keys.empty() ? "an input must say what it is"
+                                       : "an input is one thing, not " + std::to_string(v.keys.size()),
                         "give one of \"point\", \"curve\" and \"surface\"");
   const std::string inner = member(place, v.keys[0]);
   if (v.keys[0] == "curve") {
@@ -583,12 +644,15 @@ inline Job_options read_options(const Json_value& v)
   if (const Json_value* x = v.find("tolerance")) {
     options.tolerance = read_number(*x, "options.tolerance");
     if (options.tolerance <= 0)
-      throw Invalid_input("options.tolerance", "the tolerance must be positive, not " + printable(x->text, 40), "use a small part of the inputs' diameter, like 1e-6");
+      throw Invalid_input("options.tolerance", "the tolerance must be positive, not " + printable(x->text, 40),
+                          "use a small part of the inputs' diameter, like 1e-6");
   }
   if (const Json_value* x = v.find("join_tolerance")) {
     options.join_tolerance = read_number(*x, "options.join_tolerance");
     if (options.join_tolerance < 0)
-      throw Invalid_input("options.join_tolerance", "an angle that joins forgive must not be negative, not " + printable(x->text, 40), "use 0 or a small angle");
+      throw Invalid_input("options.join_tolerance",
+                          "an angle that joins forgive must not be negative, not " + printable(x->text, 40),
+                          "use 0 or a small angle");
   }
   return options;
 }
@@ -602,14 +666,16 @@ inline void require_inputs_for(const std::string& compute, const std::vector<Job
   if (compute == "bisector" || compute == "alpha_sector" || compute == "envelope") {
     const bool one_curve = n == 1 && compute == "bisector";
     if (n != 2 && !one_curve)
-      throw Invalid_input("inputs", number + " for \"" + compute + "\"", compute == "bisector" ? "give two, or one curve for its self-bisector" : "give two");
+      throw Invalid_input("inputs", number + " for \"" + compute + "\"",
+                          compute == "bisector" ? "give two, or one curve for its self-bisector" : "give two");
     if (one_curve && inputs[0].kind != Kind::curve)
       throw Invalid_input("inputs[0]", "a self-bisector is that of a curve", "give one curve, or two inputs");
     if (compute == "envelope" && (inputs[0].kind == Kind::point || inputs[0].kind != inputs[1].kind))
       throw Invalid_input("inputs", "an envelope is that of two curves or of two surfaces", "give two of one kind");
   } else if (compute == "curvature" || compute == "evolute") {
     if (n != 1) throw Invalid_input("inputs", number + " for \"" + compute + "\"", "give one curve");
-    if (inputs[0].kind != Kind::curve) throw Invalid_input("inputs[0]", "\"" + compute + "\" takes a curve", "give one curve");
+    if (inputs[0].kind != Kind::curve)
+      throw Invalid_input("inputs[0]", "\"" + compute + "\" takes a curve", "give one curve");
   }
 }
 
@@ -625,9 +691,11 @@ inline Job read_job(std::string_view text)
   Job job;
   const Json_value& compute = require_key(v, "", "compute", "say what to compute, like \"compute\": \"bisector\"");
   const Words known = {"bisector", "alpha_sector", "envelope", "silhouette", "sweep", "curvature", "evolute"};
-  if (compute.kind != Json_value::Kind::string) wrong_type(compute, "compute", "a string", "say what to compute, like \"bisector\"");
+  if (compute.kind != Json_value::Kind::string)
+    wrong_type(compute, "compute", "a string", "say what to compute, like \"bisector\"");
   if (std::find(known.begin(), known.end(), compute.text) == known.end())
-    throw Invalid_input("compute", "unknown construction \"" + printable(compute.text) + "\"", suggestion(compute.text, known));
+    throw Invalid_input("compute", "unknown construction \"" + printable(compute.text) + "\"",
+                        suggestion(compute.text, known));
   job.compute = compute.text;
 
   // Silhouettes and sweeps come with keys of their own, which this version does not know.
@@ -642,14 +710,17 @@ inline Job read_job(std::string_view text)
     const Json_value& alpha = require_key(v, "", "alpha", remedy);
     job.alpha = read_number(alpha, "alpha");
     if (*job.alpha <= 0 || *job.alpha >= 1)
-      throw Invalid_input("alpha", "must lie between 0 and 1, not " + printable(alpha.text, 40), "use a number like \"1/3\"");
+      throw Invalid_input("alpha", "must lie between 0 and 1, not " + printable(alpha.text, 40),
+                          "use a number like \"1/3\"");
   }
   if (const Json_value* inputs = v.find("inputs")) {
     Dimension dimension;
-    for (const Json_value& item : require_list(*inputs, "inputs", "list the inputs, like [{\"curve\": {…}}, {\"curve\": {…}}]"))
+    for (const Json_value& item :
+         require_list(*inputs, "inputs", "list the inputs, like [{\"curve\": {…}}, {\"curve\": {…}}]"))
       job.inputs.push_back(read_input(item, element("inputs", job.inputs.size()), dimension));
   } else if (!own_keys) {
-    throw Invalid_input("", "the key \"inputs\" is missing", "list the inputs, like \"inputs\": [{\"curve\": {…}}, {\"curve\": {…}}]");
+    throw Invalid_input("", "the key \"inputs\" is missing",
+                        "list the inputs, like \"inputs\": [{\"curve\": {…}}, {\"curve\": {…}}]");
   }
   require_inputs_for(job.compute, job.inputs);
   if (const Json_value* options = v.find("options")) job.options = read_options(*options);
@@ -668,7 +739,8 @@ inline void require_supported(const Job& job)
   for (const Job_input& input : job.inputs)
     if (!input.missing.empty()) refuse(input.place, input.missing);
   if (job.inputs.size() == 1) refuse("inputs", "self-bisectors");
-  if (job.options.trimmed) refuse("options.trimmed", "trimmed bisectors (give \"trimmed\": false for all solutions of the equations)");
+  if (job.options.trimmed)
+    refuse("options.trimmed", "trimmed bisectors (give \"trimmed\": false for all solutions of the equations)");
   if (job.options.join_tolerance != 0) refuse("options.join_tolerance", "tolerant joints");
 }
 

@@ -156,11 +156,19 @@ void write_vertex(Json_writer& json, const Locus_vertex<Dim>& v)
   json.close(']');
   if (v.point) json.key("point").value(*v.point).key("radius").value(v.radius);
   if (v.direction) json.key("direction").value(*v.direction);
-  if (v.asymptote) json.key("asymptote").open('{').key("point").value(v.asymptote->point).key("direction").value(v.asymptote->direction).close('}');
+  if (v.asymptote)
+    json.key("asymptote")
+      .open('{')
+      .key("point")
+      .value(v.asymptote->point)
+      .key("direction")
+      .value(v.asymptote->direction)
+      .close('}');
   if (v.multiplicity > 1) json.key("multiplicity").value(v.multiplicity);
   if (!v.half_branches.empty()) {
     json.key("half_branches").open('[');
-    for (const Half_branch& h : v.half_branches) json.open('{').key("arc").value(h.arc).key("at").value(h.at_start ? "source" : "target").close('}');
+    for (const Half_branch& h : v.half_branches)
+      json.open('{').key("arc").value(h.arc).key("at").value(h.at_start ? "source" : "target").close('}');
     json.close(']');
   }
   json.close('}');
@@ -186,9 +194,11 @@ void write_arc(Json_writer& json, const Arc<Dim>& arc, double tolerance)
   json.close(']');
   const Polyline<Dim> polyline = arc.polyline(tolerance);
   json.key("error").value(polyline.error());
+  const Irregular_points<Dim> irregular = arc.irregular();
   json.key("irregular").open('[');
-  for (const Arc_point<Dim>& p : arc.irregular()) write_arc_point(json, p);
+  for (const Arc_point<Dim>& p : irregular.points) write_arc_point(json, p);
   json.close(']');
+  if (!irregular.complete) json.key("irregular_complete").value(false);
   json.key("samples").open('[');
   for (const Arc_point<Dim>& p : polyline) write_arc_point(json.line(6), p);
   json.close(']').close('}');
@@ -205,7 +215,13 @@ inline void write_statistics(Json_writer& json, const Locus_statistics& s)
   json.key("exact_cells").value(s.exact_cells).key("seconds").value(s.seconds).key("rungs").open('{');
   constexpr const char* names[] = {"bounded", "interval", "exact"};
   for (std::size_t i = 0; i < s.filter.calls.size(); ++i)
-    json.key(names[i]).open('{').key("calls").value(s.filter.calls[i]).key("failures").value(s.filter.failures[i]).close('}');
+    json.key(names[i])
+      .open('{')
+      .key("calls")
+      .value(s.filter.calls[i])
+      .key("failures")
+      .value(s.filter.failures[i])
+      .close('}');
   json.close('}').close('}');
 }
 
@@ -235,8 +251,10 @@ void write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance = 1
   detail::write_lines(json, "equations", locus.equations(), [](Json_writer& j, const Equation_info& e) {
     j.open('{').key("name").value(e.name).key("degrees").list(e.degrees).close('}');
   });
-  detail::write_lines(json, "vertices", locus.vertices(), [](Json_writer& j, const Locus_vertex<Dim>& v) { detail::write_vertex(j, v); });
-  detail::write_lines(json, "arcs", locus.arcs(), [tolerance](Json_writer& j, const Arc<Dim>& a) { detail::write_arc(j, a, tolerance); });
+  detail::write_lines(json, "vertices", locus.vertices(),
+                      [](Json_writer& j, const Locus_vertex<Dim>& v) { detail::write_vertex(j, v); });
+  detail::write_lines(json, "arcs", locus.arcs(),
+                      [tolerance](Json_writer& j, const Arc<Dim>& a) { detail::write_arc(j, a, tolerance); });
   detail::write_lines(json, "regions", locus.regions(), [](Json_writer& j, const Region& r) {
     j.open('{').key("arcs").list(r.arcs).key("reason").value(r.reason).close('}');
   });

@@ -59,7 +59,11 @@ inline std::size_t utf8_length(std::string_view text, std::size_t i)
 {
   const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
   const unsigned lead = byte(i);
-  const std::size_t n = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3 : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+  const std::size_t n = lead < 0x80                   ? 1
+                        : lead >= 0xC2 && lead < 0xE0 ? 2
+                        : lead >= 0xE0 && lead < 0xF0 ? 3
+                        : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                      : 0;
   for (std::size_t k = 1; k < n; ++k)
     if ((byte(i + k) & 0xC0) != 0x80) return 0;
   const bool overlong = (lead == 0xE0 && byte(i + 1) < 0xA0) || (lead == 0xF0 && byte(i + 1) < 0x90);
@@ -77,9 +81,11 @@ inline std::string printable(std::string_view text, std::size_t limit = 60)
   while (i < text.size() && out.size() < limit) {
     const std::size_t n = detail::utf8_length(text, i);
     const auto c = static_cast<unsigned char>(text[i]);
-    const bool control = c < 0x20 || c == 0x7F || (n == 2 && c == 0xC2 && static_cast<unsigned char>(text[i + 1]) < 0xA0);
+    const bool control =
+      c < 0x20 || c == 0x7F || (n == 2 && c == 0xC2 && static_cast<unsigned char>(text[i + 1]) < 0xA0);
     // U+2028 and U+2029 separate lines.
-    const bool separator = n == 3 && text.substr(i, 2) == "\xE2\x80" && (static_cast<unsigned char>(text[i + 2]) & 0xFE) == 0xA8;
+    const bool separator =
+      n == 3 && text.substr(i, 2) == "\xE2\x80" && (static_cast<unsigned char>(text[i + 2]) & 0xFE) == 0xA8;
     if (n == 0) out += '?';
     else if (control || separator) out += ' ';
     else out += text.substr(i, n);
@@ -118,9 +124,7 @@ public:
   bool number_unsigned(std::uint64_t x) { return add(Json_value::Kind::number).text = std::to_string(x), true; }
   bool number_float(long double, const std::string& digits)
   {
-    if (digits.size() > max_json_number)
-      throw Invalid_input(place(), "a number of " + std::to_string(digits.size()) + " characters",
-                          "use at most " + std::to_string(max_json_number));
+    require_short(digits);
     add(Json_value::Kind::number).text = digits;
     return true;
   }
@@ -136,7 +140,8 @@ public:
   {
     Json_value& object = *open_.back();
     if (object.find(name))
-      throw Invalid_input(place_of_container(), "the key \"" + printable(name) + "\" is there twice", "keep one of them");
+      throw Invalid_input(place_of_container(), "the key \"" + printable(name) + "\" is there twice",
+                          "keep one of them");
     if (object.keys.size() == max_json_keys)
       throw Invalid_input(place_of_container(), "an object of more than " + std::to_string(max_json_keys) + " keys",
                           "use only the keys that `locus --help` lists");
@@ -146,8 +151,11 @@ public:
 
   bool parse_error(std::size_t offset, const std::string& token, const nlohmann::detail::exception& error)
   {
-    if (error.id == 406) // a number's overflow
-      throw Invalid_input(place(), "the number " + printable(token, 40) + " is too large", "use exponents between -4000 and 4000");
+    if (error.id == 406) { // a number's overflow
+      require_short(token);
+      throw Invalid_input(place(), "the number " + printable(token, 40) + " is too large",
+                          "use exponents between -4000 and 4000");
+    }
     // "[json.exception…] parse error at line 1, column 2: syntax error while parsing value - the reason; last read: '…'"
     std::string_view reason = error.what();
     if (const auto at = reason.find("column "); at != std::string_view::npos)
@@ -162,11 +170,19 @@ public:
     }
     std::string rule = "not JSON at " + line_and_column(text_, offset) + ": " + printable(reason, 160);
     if (!rest.empty()) rule += ", read " + printable(rest, 60);
-    throw Invalid_input(place(), rule,
-                        "mend the text there: keys and strings in double quotes, numbers as finite decimals or as strings like \"2/3\"");
+    throw Invalid_input(
+      place(), rule,
+      "mend the text there: keys and strings in double quotes, numbers as finite decimals or as strings like \"2/3\"");
   }
 
 private:
+  void require_short(const std::string& digits) const
+  {
+    if (digits.size() > max_json_number)
+      throw Invalid_input(place(), "a number of " + std::to_string(digits.size()) + " characters",
+                          "use at most " + std::to_string(max_json_number));
+  }
+
   Json_value& add(Json_value::Kind kind)
   {
     if (++count_ > max_json_values)
@@ -179,8 +195,9 @@ private:
   void open(Json_value::Kind kind)
   {
     if (open_.size() == max_json_depth)
-      throw Invalid_input("", "values nested deeper than " + std::to_string(max_json_depth) + " levels at " + first_of_path(),
-                          "a job needs fewer than ten");
+      throw Invalid_input(
+        "", "values nested deeper than " + std::to_string(max_json_depth) + " levels at " + first_of_path(),
+        "a job needs fewer than ten");
     // The parent's items do not move while this one is open.
     open_.push_back(&add(kind));
   }

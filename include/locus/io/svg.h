@@ -173,7 +173,8 @@ inline constexpr const char* frame = "#c5ccd4";
 inline constexpr const char* foot = "#9fa9b5";
 inline constexpr const char* alarm = "#d00000";
 inline constexpr std::array<const char*, 2> input{"#12355b", "#6b1f45"};
-inline constexpr std::array<const char*, 8> component{"#e4572e", "#1b998b", "#8f3fb0", "#c98a00", "#2878d0", "#5a8f29", "#d0408a", "#7a5c43"};
+inline constexpr std::array<const char*, 8> component{"#e4572e", "#1b998b", "#8f3fb0", "#c98a00",
+                                                      "#2878d0", "#5a8f29", "#d0408a", "#7a5c43"};
 inline constexpr const char* empty_cell = "#f4f5f7";
 inline constexpr const char* graph_cell = "#dfeaf6";
 inline constexpr const char* crossing_cell = "#ffd9a8";
@@ -193,7 +194,8 @@ inline std::string pixels(double x)
 inline std::string label_of(double x, int digits_shown = 4)
 {
   std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::general, digits_shown).ptr;
+  const auto end =
+    std::to_chars(digits.data(), digits.data() + digits.size(), x, std::chars_format::general, digits_shown).ptr;
   return {digits.data(), end};
 }
 
@@ -259,7 +261,10 @@ private:
   Picture_box box_;
 };
 
-inline std::string attribute(const char* name, double value) { return std::string(" ") + name + "=\"" + pixels(value) + "\""; }
+inline std::string attribute(const char* name, double value)
+{
+  return std::string(" ") + name + "=\"" + pixels(value) + "\"";
+}
 
 inline void svg_path(std::ostream& out, const std::string& d, const std::string& style)
 {
@@ -267,7 +272,8 @@ inline void svg_path(std::ostream& out, const std::string& d, const std::string&
 }
 inline void svg_circle(std::ostream& out, const Picture_point& at, double radius, const std::string& style)
 {
-  out << "<circle" << attribute("cx", at.x) << attribute("cy", at.y) << attribute("r", radius) << ' ' << style << "/>\n";
+  out << "<circle" << attribute("cx", at.x) << attribute("cy", at.y) << attribute("r", radius) << ' ' << style
+      << "/>\n";
 }
 inline void svg_text(std::ostream& out, const Picture_point& at, std::string_view text, const std::string& style)
 {
@@ -290,9 +296,12 @@ public:
       const double c = locus.centre()[k];
       centre_[k] = std::isfinite(c) ? c : 0.0;
     }
-    for (const Curve_2& curve : inputs) curves_.emplace_back(curve, std::array<Rational, 2>{exact_rational(centre_[0]), exact_rational(centre_[1])});
-    curves_.erase(std::remove_if(curves_.begin(), curves_.end(), [](const Pictured_curve& c) { return c.empty(); }), curves_.end());
-    has_parameters_ = std::all_of(locus.arcs().begin(), locus.arcs().end(), [](const Arc<2>& a) { return a.inputs().size() == 2; });
+    for (const Curve_2& curve : inputs)
+      curves_.emplace_back(curve, std::array<Rational, 2>{exact_rational(centre_[0]), exact_rational(centre_[1])});
+    curves_.erase(std::remove_if(curves_.begin(), curves_.end(), [](const Pictured_curve& c) { return c.empty(); }),
+                  curves_.end());
+    has_parameters_ =
+      std::all_of(locus.arcs().begin(), locus.arcs().end(), [](const Arc<2>& a) { return a.inputs().size() == 2; });
     for (const Arc<2>& arc : locus.arcs()) drawn_.push_back(draw(arc));
   }
 
@@ -306,13 +315,16 @@ public:
     const double legend_top = top + plane_height + 62;
     const double height = legend_top + legend(legend_top, width, nullptr) + 26;
 
-    out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\"" << attribute("width", width) << attribute("height", height) << " viewBox=\"0 0 "
-         << pixels(width) << ' ' << pixels(height) << "\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"14\" fill=\""
-         << picture::ink << "\">\n<title>" << escaped(title()) << "</title>\n<desc>" << escaped(caption()) << "</desc>\n";
+    out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\"" << attribute("width", width) << attribute("height", height)
+         << " viewBox=\"0 0 " << pixels(width) << ' ' << pixels(height)
+         << "\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"14\" fill=\"" << picture::ink
+         << "\">\n<title>" << escaped(title()) << "</title>\n<desc>" << escaped(caption()) << "</desc>\n";
     definitions(plane, square);
     out_ << "<rect" << attribute("width", width) << attribute("height", height) << " fill=\"#ffffff\"/>\n";
     svg_text(out_, {margin, 36}, title(), "font-size=\"20\" font-weight=\"bold\"");
-    svg_text(out_, {margin, 60}, caption(), std::string("fill=\"") + (locus_.status() == Status::certified ? picture::faint_ink : picture::alarm) + "\"");
+    svg_text(out_, {margin, 60}, caption(),
+             std::string("fill=\"") + (locus_.status() == Status::certified ? picture::faint_ink : picture::alarm) +
+               "\"");
     write_plane(plane);
     if (has_parameters_) write_parameters(square);
     legend(legend_top, width, &out_);
@@ -400,31 +412,39 @@ private:
 
   bool has_vertex(Vertex_kind kind) const
   {
-    return std::any_of(locus_.vertices().begin(), locus_.vertices().end(), [kind](const Locus_vertex<2>& v) { return v.kind == kind; });
+    return std::any_of(locus_.vertices().begin(), locus_.vertices().end(),
+                       [kind](const Locus_vertex<2>& v) { return v.kind == kind; });
   }
   bool has_cell(std::string_view claim) const
   {
-    return std::any_of(locus_.cells().begin(), locus_.cells().end(), [claim](const Cell_picture& c) { return c.claim == claim; });
+    return std::any_of(locus_.cells().begin(), locus_.cells().end(),
+                       [claim](const Cell_picture& c) { return c.claim == claim; });
   }
 
   std::string title() const
   {
-    return (locus_.is_trimmed() ? "True " : "Untrimmed ") + locus_.compute() + (curves_.size() == 2 ? " of two curves" : "");
+    return (locus_.is_trimmed() ? "True " : "Untrimmed ") + locus_.compute() +
+           (curves_.size() == 2 ? " of two curves" : "");
   }
 
-  static std::string counted(std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }
+  static std::string counted(std::size_t n, const std::string& noun)
+  {
+    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+  }
 
   std::string caption() const
   {
     const std::size_t open = locus_.undecided().size();
-    std::string text = open == 0 ? "certified" : std::to_string(open) + (open == 1 ? " box undecided" : " boxes undecided");
+    std::string text =
+      open == 0 ? "certified" : std::to_string(open) + (open == 1 ? " box undecided" : " boxes undecided");
     text += " · " + counted(locus_.arcs().size(), "arc") + " in " + counted(components_.count, "component");
     std::size_t nodes = 0;
     for (const Locus_vertex<2>& v : locus_.vertices()) nodes += v.kind == Vertex_kind::node;
     if (nodes > 0) text += " · " + counted(nodes, "node");
     if (!locus_.degenerate().empty()) text += " · " + counted(locus_.degenerate().size(), "degenerate piece");
     text += " · " + counted(locus_.statistics().cells, "cell");
-    if (locus_.statistics().exact_cells > 0) text += ", " + std::to_string(locus_.statistics().exact_cells) + " of them exact";
+    if (locus_.statistics().exact_cells > 0)
+      text += ", " + std::to_string(locus_.statistics().exact_cells) + " of them exact";
     return text + " · " + label_of(1e3 * locus_.statistics().seconds, 2) + " ms";
   }
 
@@ -434,8 +454,10 @@ private:
     for (const Panel* p : {&plane, &square})
       out_ << "<clipPath id=\"clip-" << p->name() << "\"><rect" << attribute("x", p->left()) << attribute("y", p->top())
            << attribute("width", p->width()) << attribute("height", p->height()) << "/></clipPath>\n";
-    out_ << "<pattern id=\"hatch\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">"
-         << "<rect width=\"6\" height=\"6\" fill=\"#ffe3e3\"/><rect width=\"2\" height=\"6\" fill=\"" << picture::alarm << "\"/></pattern>\n</defs>\n";
+    out_ << "<pattern id=\"hatch\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
+            "patternTransform=\"rotate(45)\">"
+         << "<rect width=\"6\" height=\"6\" fill=\"#ffe3e3\"/><rect width=\"2\" height=\"6\" fill=\"" << picture::alarm
+         << "\"/></pattern>\n</defs>\n";
   }
 
   void panel_frame(const Panel& panel)
@@ -472,7 +494,8 @@ private:
   {
     const double far = 4 * panel.box().size();
     const Picture_point p = placed(asymptote.point), d{asymptote.direction[0], asymptote.direction[1]};
-    const Picture_point from = panel.at({p.x - far * d.x, p.y - far * d.y}), to = panel.at({p.x + far * d.x, p.y + far * d.y});
+    const Picture_point from = panel.at({p.x - far * d.x, p.y - far * d.y}),
+                        to = panel.at({p.x + far * d.x, p.y + far * d.y});
     svg_path(out_, "M" + pixels(from.x) + " " + pixels(from.y) + "L" + pixels(to.x) + " " + pixels(to.y),
              stroke(picture::foot, 1.2, " stroke-dasharray=\"7 5\""));
   }
@@ -493,7 +516,8 @@ private:
         since += std::hypot(q.x - p.x, q.y - p.y);
         if (since < spacing) continue;
         since = 0;
-        d += "M" + panel.text(curves_[0].at(points[i].parameter(0))) + "L" + panel.text(to) + "L" + panel.text(curves_[1].at(points[i].parameter(1)));
+        d += "M" + panel.text(curves_[0].at(points[i].parameter(0))) + "L" + panel.text(to) + "L" +
+             panel.text(curves_[1].at(points[i].parameter(1)));
       }
     }
     svg_path(out_, d, stroke(picture::foot, 0.8, " stroke-opacity=\"0.75\""));
@@ -503,21 +527,28 @@ private:
   {
     const std::string ring = "fill=\"#ffffff\" stroke=\"" + std::string(component) + "\" stroke-width=\"1.8\"";
     switch (kind) {
-    case Vertex_kind::node: svg_circle(out_, at, 4.5, std::string("fill=\"") + picture::ink + "\" stroke=\"#ffffff\" stroke-width=\"1.2\""); break;
+    case Vertex_kind::node:
+      svg_circle(out_, at, 4.5, std::string("fill=\"") + picture::ink + "\" stroke=\"#ffffff\" stroke-width=\"1.2\"");
+      break;
     case Vertex_kind::isolated:
       svg_circle(out_, at, 6.5, ring);
       svg_circle(out_, at, 2.5, std::string("fill=\"") + component + "\"");
       break;
-    case Vertex_kind::undecided: svg_circle(out_, at, 5, std::string("fill=\"#ffe3e3\" stroke=\"") + picture::alarm + "\" stroke-width=\"1.8\""); break;
+    case Vertex_kind::undecided:
+      svg_circle(out_, at, 5, std::string("fill=\"#ffe3e3\" stroke=\"") + picture::alarm + "\" stroke-width=\"1.8\"");
+      break;
     case Vertex_kind::infinity: {
       const auto corner = [&](double x, double y) { return pixels(at.x + x) + " " + pixels(at.y + y); };
-      svg_path(out_, "M" + corner(0, -5.5) + "L" + corner(5.5, 0) + "L" + corner(0, 5.5) + "L" + corner(-5.5, 0) + "Z", ring);
+      svg_path(out_, "M" + corner(0, -5.5) + "L" + corner(5.5, 0) + "L" + corner(0, 5.5) + "L" + corner(-5.5, 0) + "Z",
+               ring);
       break;
     }
     case Vertex_kind::boundary:
     case Vertex_kind::corner:
     case Vertex_kind::trim:
-    case Vertex_kind::diagonal: svg_circle(out_, at, 3.2, ring); break;
+    case Vertex_kind::diagonal:
+      svg_circle(out_, at, 3.2, ring);
+      break;
     }
   }
 
@@ -530,16 +561,22 @@ private:
     for (const bool start : {true, false}) {
       const double u = start ? curve.start() : curve.finish(), step = (curve.finish() - curve.start()) / 32;
       const Picture_point p = panel.at(curve.at(u)), inner = panel.at(curve.at(start ? u + step : u - step));
-      svg_circle(out_, p, 4, "fill=\"" + (start ? colour : "#ffffff") + "\" stroke=\"" + colour + "\" stroke-width=\"2\"");
+      svg_circle(out_, p, 4,
+                 "fill=\"" + (start ? colour : "#ffffff") + "\" stroke=\"" + colour + "\" stroke-width=\"2\"");
       // The label goes on beyond the end.
       double dx = p.x - inner.x, dy = p.y - inner.y;
       const double length = std::hypot(dx, dy);
       dx = length > 0 ? dx / length : 1;
       dy = length > 0 ? dy / length : 0;
-      const char* anchor = dx > 0.4 ? "start" : dx < -0.4 ? "end" : "middle";
-      const Picture_point at{p.x + 10 * dx, p.y + 12 * dy + 4.5 + (std::abs(dx) > 0.4 ? 0 : 4 * dy)};
-      svg_text(out_, at, name + " = " + label_of(u),
-               "font-size=\"13\" text-anchor=\"" + std::string(anchor) + "\" fill=\"" + colour + "\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"");
+      const std::string text = name + " = " + label_of(u, 3);
+      const double width = 7.2 * static_cast<double>(text.size()) + 14, right = panel.left() + panel.width();
+      const bool sideways = std::abs(dx) > 0.4 && (dx > 0 ? p.x + width < right : p.x - width > panel.left());
+      const char* anchor = !sideways ? "middle" : dx > 0 ? "start" : "end";
+      const double below = dy < 0 ? -11 : 20;
+      const Picture_point at{sideways ? p.x + 10 * dx : p.x, sideways ? p.y + 12 * dy + 4.5 : p.y + below};
+      svg_text(out_, at, text,
+               "font-size=\"13\" text-anchor=\"" + std::string(anchor) + "\" fill=\"" + colour +
+                 "\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"");
     }
   }
 
@@ -556,8 +593,10 @@ private:
       }
     if (!(length > 0) || !std::isfinite(length)) return;
     const double x = panel.left() + 2, y = panel.top() + panel.height() + 18, w = length / unit;
-    svg_path(out_, "M" + pixels(x) + " " + pixels(y - 4) + "v8m0 -4h" + pixels(w) + "m0 -4v8", stroke(picture::faint_ink, 1.2));
-    svg_text(out_, {x + w + 8, y + 4.5}, label_of(length), std::string("font-size=\"13\" fill=\"") + picture::faint_ink + "\"");
+    svg_path(out_, "M" + pixels(x) + " " + pixels(y - 4) + "v8m0 -4h" + pixels(w) + "m0 -4v8",
+             stroke(picture::faint_ink, 1.2));
+    svg_text(out_, {x + w + 8, y + 4.5}, label_of(length),
+             std::string("font-size=\"13\" fill=\"") + picture::faint_ink + "\"");
   }
 
   // -------------------------------------------------------------------------------------------- the parameters
@@ -576,7 +615,8 @@ private:
     for (const Undecided_piece& u : locus_.undecided()) write_undecided(panel, u);
     for (std::size_t v = 0; v < locus_.vertices().size(); ++v) {
       const Locus_vertex<2>& vertex = locus_.vertices()[v];
-      if (vertex.feet.size() != 2 || vertex.feet[0].parameters.size() != 1 || vertex.feet[1].parameters.size() != 1) continue;
+      if (vertex.feet.size() != 2 || vertex.feet[0].parameters.size() != 1 || vertex.feet[1].parameters.size() != 1)
+        continue;
       const auto middle = [](const Range& r) { return r.lo + 0.5 * (r.hi - r.lo); };
       const Picture_point p{middle(vertex.feet[0].parameters[0]), middle(vertex.feet[1].parameters[0])};
       write_vertex(panel.at(p), vertex.kind, colour(components_.of_vertex[v]));
@@ -589,7 +629,8 @@ private:
     std::string d;
     for (const Cell_picture& cell : locus_.cells()) {
       if (cell.claim != claim || cell.box.size() != 2) continue;
-      const Picture_point a = panel.at({cell.box[0].lo, cell.box[1].hi}), b = panel.at({cell.box[0].hi, cell.box[1].lo});
+      const Picture_point a = panel.at({cell.box[0].lo, cell.box[1].hi}),
+                          b = panel.at({cell.box[0].hi, cell.box[1].lo});
       d += "M" + pixels(a.x) + " " + pixels(a.y) + "H" + pixels(b.x) + "V" + pixels(b.y) + "H" + pixels(a.x) + "Z";
     }
     svg_path(out_, d, std::string("fill=\"") + fill + "\" stroke=\"" + picture::frame + "\" stroke-width=\"0.6\"");
@@ -599,7 +640,8 @@ private:
   void write_undecided(const Panel& panel, const Undecided_piece& piece)
   {
     if (piece.box.size() != 2) return;
-    const Picture_point a = panel.at({piece.box[0].lo, piece.box[1].hi}), b = panel.at({piece.box[0].hi, piece.box[1].lo});
+    const Picture_point a = panel.at({piece.box[0].lo, piece.box[1].hi}),
+                        b = panel.at({piece.box[0].hi, piece.box[1].lo});
     if (std::max(b.x - a.x, b.y - a.y) < 10)
       svg_circle(out_, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}, 9, stroke(picture::alarm, 1.8));
   }
@@ -636,11 +678,13 @@ private:
       at.x += symbol + text_width + gap;
     };
     const auto line = [&](const std::string& style) {
-      return [&, style](const Picture_point& p) { svg_path(*out, "M" + pixels(p.x) + " " + pixels(p.y) + "h22", style); };
+      return
+        [&, style](const Picture_point& p) { svg_path(*out, "M" + pixels(p.x) + " " + pixels(p.y) + "h22", style); };
     };
     const auto square = [&](const char* fill) {
       return [&, fill](const Picture_point& p) {
-        *out << "<rect" << attribute("x", p.x + 5) << attribute("y", p.y - 7) << " width=\"14\" height=\"14\" fill=\"" << fill << "\" stroke=\"" << picture::frame << "\"/>\n";
+        *out << "<rect" << attribute("x", p.x + 5) << attribute("y", p.y - 7) << " width=\"14\" height=\"14\" fill=\""
+             << fill << "\" stroke=\"" << picture::frame << "\"/>\n";
       };
     };
     const auto vertex = [&](Vertex_kind kind) {
@@ -652,10 +696,12 @@ private:
     }
     const std::size_t shown = std::min<std::size_t>(components_.count, 4);
     for (std::size_t c = 0; c < shown; ++c)
-      entry(components_.count == 1 ? locus_.compute() : locus_.compute() + ", component " + std::to_string(c + 1), line(stroke(colour(c), 2.5)));
+      entry(components_.count == 1 ? locus_.compute() : locus_.compute() + ", component " + std::to_string(c + 1),
+            line(stroke(colour(c), 2.5)));
     if (components_.count > shown) entry("… of " + std::to_string(components_.count), [](const Picture_point&) {});
     if (curves_.size() == 2 && !drawn_.empty()) entry("to the feet", line(stroke(picture::foot, 0.9)));
-    if (std::any_of(locus_.vertices().begin(), locus_.vertices().end(), [](const Locus_vertex<2>& v) { return v.asymptote.has_value(); }))
+    if (std::any_of(locus_.vertices().begin(), locus_.vertices().end(),
+                    [](const Locus_vertex<2>& v) { return v.asymptote.has_value(); }))
       entry("asymptote", line(stroke(picture::foot, 1.2, " stroke-dasharray=\"7 5\"")));
     if (has_vertex(Vertex_kind::boundary)) entry("end at a curve's end", vertex(Vertex_kind::boundary));
     if (has_vertex(Vertex_kind::infinity)) entry("to infinity", vertex(Vertex_kind::infinity));

@@ -30,8 +30,8 @@ public:
   int pivot() const { return pivot_; }
 
   /// Certified enclosure of the pivot variable at base value s, usually a few units in the last place wide; `guess`
-  /// starts the search. Signs at both ends prove it, by the ladder.
-  Interval pivot_at(double s, double guess) const
+  /// starts the search. Signs at both ends prove it, by the ladder; exact ones only where it is wider than wanted.
+  Interval pivot_at(double s, double guess, double wanted_width = 5e-13) const
   {
     const double lo = form_.box.lo[pivot_index()], hi = form_.box.hi[pivot_index()], width = hi - lo;
     const double error = contract(s);
@@ -49,47 +49,61 @@ public:
     const double radius = std::max(1.25 * error / std::abs(slope), 0x1p-52);
     const Sign high = sign_of(g[n_], error), low = sign_of(g[0], error);
     const Sign above = is_strict(high) ? high : opposite(low);
-    for (double delta = radius; is_strict(above) && delta < 4e-13 / width && delta < 0.5; delta *= 2) {
+    for (double delta = radius; is_strict(above) && delta < 0.8 * wanted_width / width && delta < 0.5; delta *= 2) {
       const double a = std::max(0.0, u - delta), b = std::min(1.0, u + delta);
       const double ga = detail::horner_value(g, n_, a), gb = detail::horner_value(g, n_, b);
       const bool below_a = a == 0 ? low == opposite(above) : sign_of(ga, error) == opposite(above);
       const bool above_b = b == 1 ? high == above : sign_of(gb, error) == above;
       if (below_a && above_b) return Interval(lo) + Interval(a, b) * Interval(width);
     }
-    return pivot_by_ladder(s, error);
+    return pivot_by_ladder(s, error, wanted_width);
   }
 
   /// Enclosures over base values [s0, s1] of the pivot and its derivatives, given its values at both ends.
   std::optional<Dependent_jet> jet_over(double s0, double s1, const Interval& at_s0, const Interval& at_s1) const
   {
-    const auto p = pivot_index();
     const Interval ds = Interval(s1) - Interval(s0);
-    // |x(s)| lies within half the step times the slope of both ends; the slope is bounded over the whole cell first.
-    Interval range = hull(at_s0, at_s1);
-    std::optional<Dependent_jet> jet;
-    for (int pass = 0; pass < 2; ++pass) {
-      const auto slopes = pass == 0 ? std::nullopt : partials(sub_box(range, s0, s1), true);
-      if (pass == 1 && !slopes) return jet;
-      const double steepest = pass == 0 ? cell_slope() : magnitude(slopes->f_base / slopes->f_pivot);
-      const double growth = std::min(form_.box.width(pivot_), (Interval(steepest) * ds).sup() * 0.5);
-      Interval wider = hull(at_s0, at_s1) + Interval(-growth, growth);
-      wider = Interval(std::max(wider.inf(), form_.box.lo[p]), std::min(wider.sup(), form_.box.hi[p]));
-      if (pass == 1) {
-        const Interval slope = -slopes->f_base / slopes->f_pivot;
-        const Interval second = -(slopes->f_bb + Interval(2) * slopes->f_pb * slope + slopes->f_pp * slope * slope) / slopes->f_pivot;
-        jet = Dependent_jet{Interval(std::max(wider.inf(), range.inf()), std::min(wider.sup(), range.sup())), slope, second};
-      }
-      range = wider;
-    }
-    return jet;
+    // x(s) lies within half the step times the slope of the values at both ends: first with the whole cell's slope,
+    // then with the slope over the box that this gives.
+    const Interval range = range_over(s0, s1, at_s0, at_s1);
+    const auto slopes = partials(sub_box(range, s0, s1));
+    if (!slopes) return std::nullopt;
+    const Interval slope = -slopes->f_base / slopes->f_pivot;
+    const double growth = std::min(form_.box.width(pivot_), (Interval(magnitude(slope)) * ds).sup() * 0.5);
+    const Interval closer = hull(at_s0, at_s1) + Interval(-growth, growth);
+    const Interval second = -(slopes->f_bb + Interval(2) * slopes->f_pb * slope + slopes->f_pp * slope * slope) / slopes->f_pivot;
+    return Dependent_jet{Interval(std::max(range.inf(), closer.inf()), std::min(range.sup(), closer.sup())), slope, second};
   }
 
-  /// Enclosure of the partial derivative by the base variable over the stretch: zero where the pivot stands still.
-  std::optional<Interval> base_slope_over(double s0, double s1, const Interval& pivot_range) const
+  /// True if the derivative by the base variable has one strict sign on the whole cell, by its coefficients.
+  bool has_strict_base_slope() const
   {
-    const auto slopes = partials(sub_box(pivot_range, s0, s1), true);
-    if (!slopes) return std::nullopt;
-    return slopes->f_base;
+    const Bernstein<Bounded, 2> d = derivative(form_.f, base_);
+    const auto& c = d.values().coefficients();
+    const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
+    return *least > d.error() || *greatest < -d.error();
+  }
+
+  /// Enclosure of the pivot over base values [s0, s1] from its values at both ends: a tube on whose sides the equation
+  /// is proved to have its two signs, or, failing that, what the cell's greatest slope allows. Always finite.
+  Interval range_over(double s0, double s1, const Interval& at_s0, const Interval& at_s1) const
+  {
+    const auto p = pivot_index(), b = base_index();
+    const Box<2> ends = sub_box(hull(at_s0, at_s1), s0, s1);
+    const Local local = to_local(ends);
+    const Surfaces& d = surfaces();
+    const Interval slope = d.p.at(local.centre);
+    double margin = 1.5 * (d.f.slope[b] * local.radius[b] + d.f.error) / mignitude(slope) + local.radius[p];
+    for (int attempt = 0; attempt < 3 && margin < 0.5; ++attempt, margin *= 4) {
+      const double lo = std::max(0.0, local.centre[p] - margin), hi = std::min(1.0, local.centre[p] + margin);
+      if ((lo == 0 || sign_beside(local, lo) == opposite(sign_of(slope))) && (hi == 1 || sign_beside(local, hi) == sign_of(slope))) {
+        const Interval tube = Interval(form_.box.lo[p]) + Interval(lo, hi) * Interval(form_.box.width(pivot_));
+        return {std::max(tube.inf(), form_.box.lo[p]), std::min(tube.sup(), form_.box.hi[p])};
+      }
+    }
+    const double growth = std::min(form_.box.width(pivot_), (Interval(cell_slope()) * (Interval(s1) - Interval(s0))).sup() * 0.5);
+    const Interval range = hull(at_s0, at_s1) + Interval(-growth, growth);
+    return {std::max(range.inf(), form_.box.lo[p]), std::min(range.sup(), form_.box.hi[p])};
   }
 
 private:
@@ -160,7 +174,7 @@ private:
   }
 
   /// The same by a fresh enclosure on the thin box, then exactly.
-  Interval pivot_by_ladder(double s, double error) const
+  Interval pivot_by_ladder(double s, double error, double wanted_width) const
   {
     const double lo = form_.box.lo[pivot_index()], hi = form_.box.hi[pivot_index()];
     Filter_counts counts;
@@ -173,8 +187,7 @@ private:
       return bounded(face(equation.enclosure(box), base_, false));
     };
     const auto exact = [&] {
-      const Bernstein<Rational, 2> on_line = split(equation.exact().rational(), base_, Rational(s)).first;
-      const Bernstein<Scaled_integer, 1> line(face(on_line, base_, true));
+      const auto line = face(split(equation.exact(), base_, Rational(s)).first, base_, true);
       return restrict_to(line, 0, Rational(lo), Rational(hi));
     };
     const Univariate f({Bernstein<double, 1>(Degrees<1>{n_}, row_), error}, lo, hi, exact, &counts, thin);
@@ -183,7 +196,7 @@ private:
     if (high == Sign::zero) return Interval(hi);
     if (low == high) throw std::logic_error("locus: an arc was asked for outside its stretch");
     Isolated_root<double> root{lo, hi, 1, nullptr};
-    refine_root(f, root, 1e-15, 5e-13);
+    refine_root(f, root, 1e-15, wanted_width);
     return {root.lo, root.hi};
   }
 
@@ -197,11 +210,12 @@ private:
     return box;
   }
 
-  /// A polynomial on the cell with bounds of its slopes, for enclosures over small boxes by value and slope.
+  /// A polynomial on the cell with bounds of its slopes and its range, for enclosures over small boxes.
   struct Surface {
     Bernstein<Bounded, 2> f;
     double error = 0;
     std::array<double, 2> slope{};
+    Interval range{0};
 
     Surface() = default;
     explicit Surface(Bernstein<Bounded, 2> g) : f(std::move(g))
@@ -209,52 +223,95 @@ private:
       const double operations = 6.0 * (f.degree(0) + f.degree(1)) + 12;
       error = detail::accumulated_error(f.error(), operations, f.norm());
       for (int v = 0; v < 2; ++v) slope[static_cast<std::size_t>(v)] = f.degree(v) == 0 ? 0.0 : derivative(f, v).norm();
+      const auto& c = f.values().coefficients();
+      const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
+      range = Interval(*least, *greatest) + Interval(-f.error(), f.error());
+    }
+
+    /// Value at a point; the bound of rounding also covers the few roundings in the point, by the slopes.
+    Interval at(const std::array<double, 2>& centre) const
+    {
+      const double value = detail::tensor_value(f.values().data(), f.degree(0), f.degree(1), centre[0], centre[1]);
+      const double r = error + 4 * operation_error * (slope[0] + slope[1]);
+      return Interval(value) + Interval(-r, r);
     }
 
     Interval over(const std::array<double, 2>& centre, const std::array<double, 2>& radius) const
     {
-      const double value = detail::tensor_value(f.values().data(), f.degree(0), f.degree(1), centre[0], centre[1]);
-      // The bound of rounding also covers the few roundings in `centre`, by the slopes.
-      const double r = error + slope[0] * (radius[0] + 4 * operation_error) + slope[1] * (radius[1] + 4 * operation_error);
-      return Interval(value) + Interval(-r, r);
+      const double r = slope[0] * radius[0] + slope[1] * radius[1];
+      return within_range(at(centre) + Interval(-r, r));
+    }
+
+    /// The same by the mean value theorem, from enclosures of both slopes over the box.
+    Interval over(const std::array<double, 2>& centre, const std::array<double, 2>& radius, const Interval& slope_0,
+                  const Interval& slope_1) const
+    {
+      return within_range(at(centre) + slope_0 * Interval(-radius[0], radius[0]) + slope_1 * Interval(-radius[1], radius[1]));
+    }
+
+    Interval within_range(const Interval& x) const
+    {
+      return {std::min(range.sup(), std::max(range.inf(), x.inf())), std::max(range.inf(), std::min(range.sup(), x.sup()))};
     }
   };
 
   struct Surfaces {
-    Surface p, b, pp, pb, bb;
+    Surface f, p, b, pp, pb, bb;
   };
 
   const Surfaces& surfaces() const
   {
     if (!surfaces_) {
       const Bernstein<Bounded, 2> dp = derivative(form_.f, pivot_), db = derivative(form_.f, base_);
-      surfaces_ = Surfaces{Surface(dp), Surface(db), Surface(derivative(dp, pivot_)), Surface(derivative(dp, base_)),
+      surfaces_ = Surfaces{Surface(form_.f), Surface(dp), Surface(db), Surface(derivative(dp, pivot_)), Surface(derivative(dp, base_)),
                            Surface(derivative(db, base_))};
     }
     return *surfaces_;
   }
 
+  /// Centre and radii of a box in the cell's own unit coordinates, clipped to the cell.
+  struct Local {
+    std::array<double, 2> centre, radius;
+  };
+
+  Local to_local(const Box<2>& box) const
+  {
+    Local local;
+    for (std::size_t v = 0; v < 2; ++v) {
+      const double width = form_.box.hi[v] - form_.box.lo[v];
+      const double lo = std::min(1.0, std::max(0.0, (box.lo[v] - form_.box.lo[v]) / width));
+      const double hi = std::min(1.0, std::max(0.0, (box.hi[v] - form_.box.lo[v]) / width));
+      local.centre[v] = std::min(1.0, 0.5 * (lo + hi));
+      local.radius[v] = std::max(0.0, 0.5 * (hi - lo)) * (1 + 8 * operation_error);
+    }
+    return local;
+  }
+
+  /// Sign of the equation on the line pivot = `at` over the base values of a box, all in the cell's unit coordinates.
+  Sign sign_beside(const Local& box, double at) const
+  {
+    std::array<double, 2> centre = box.centre, radius = box.radius;
+    centre[pivot_index()] = at;
+    radius[pivot_index()] = 0;
+    return sign_of(surfaces().f.over(centre, radius));
+  }
+
   /// Enclosures of the partial derivatives over a part of the cell; nothing where the pivot's may vanish.
-  std::optional<Partials> partials(const Box<2>& box, bool second) const
+  std::optional<Partials> partials(const Box<2>& box) const
   {
     const Surfaces& d = surfaces();
-    std::array<double, 2> centre, radius, width;
-    for (std::size_t v = 0; v < 2; ++v) {
-      width[v] = form_.box.hi[v] - form_.box.lo[v];
-      const double lo = std::max(0.0, (box.lo[v] - form_.box.lo[v]) / width[v]), hi = std::min(1.0, (box.hi[v] - form_.box.lo[v]) / width[v]);
-      centre[v] = std::min(1.0, 0.5 * (lo + hi));
-      radius[v] = std::max(0.0, 0.5 * (hi - lo)) * (1 + 8 * operation_error);
-    }
+    const auto [centre, radius] = to_local(box);
+    const std::array<double, 2> width{form_.box.width(0), form_.box.width(1)};
     const double wp = width[pivot_index()], wb = width[base_index()];
+    const Interval pp = d.pp.over(centre, radius), pb = d.pb.over(centre, radius), bb = d.bb.over(centre, radius);
+    const bool first = pivot_ == 0;
     Partials result;
-    result.f_pivot = d.p.over(centre, radius) / Interval(wp);
+    result.f_pivot = d.p.over(centre, radius, first ? pp : pb, first ? pb : pp) / Interval(wp);
     if (contains_zero(result.f_pivot)) return std::nullopt;
-    result.f_base = d.b.over(centre, radius) / Interval(wb);
-    if (second) {
-      result.f_pp = d.pp.over(centre, radius) / Interval(wp) / Interval(wp);
-      result.f_pb = d.pb.over(centre, radius) / Interval(wp) / Interval(wb);
-      result.f_bb = d.bb.over(centre, radius) / Interval(wb) / Interval(wb);
-    }
+    result.f_base = d.b.over(centre, radius, first ? pb : bb, first ? bb : pb) / Interval(wb);
+    result.f_pp = pp / Interval(wp) / Interval(wp);
+    result.f_pb = pb / Interval(wp) / Interval(wb);
+    result.f_bb = bb / Interval(wb) / Interval(wb);
     return result;
   }
 

@@ -166,7 +166,7 @@ private:
   }
 
   /// Contracts `box` by Krawczyk's operator. Nothing: undecided. An empty inner optional: proved to have no solution.
-  std::optional<std::optional<Isolated_point>> locate(Box<2> box, const Real_matrix& y, Matrix m) const
+  std::optional<std::optional<Isolated_point>> locate(Box<2> box, Real_matrix y, Matrix m) const
   {
     bool proved = false;
     for (int step = 0; step < 60; ++step) {
@@ -188,7 +188,9 @@ private:
         return p;
       }
       box = next;
-      m = preconditioned(y, jacobian(box));
+      const Matrix j = jacobian(box);
+      if (const auto inverse = inverse_midpoint(j)) y = *inverse;
+      m = preconditioned(y, j);
     }
     return std::nullopt;
   }
@@ -224,11 +226,8 @@ private:
     const auto f = monomial_form(face(equations_[0]->exact(), variable, side == 1));
     const auto g = monomial_form(face(equations_[1]->exact(), variable, side == 1));
     const Integer_polynomial common = gcd(f, g);
-    if (degree(common) < 1) return false;
     const Interval& along = p.box[static_cast<std::size_t>(1 - variable)];
-    for (const auto& root : exact_roots(bernstein_form(common), Rational(0), Rational(1)).roots)
-      if (root.lo <= Rational(along.sup()) && Rational(along.inf()) <= root.hi) return true;
-    return false;
+    return has_root_within(common, Rational(along.inf()), Rational(along.sup()));
   }
 
   void settle_boundaries()

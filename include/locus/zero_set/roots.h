@@ -64,7 +64,7 @@ public:
   {
     counts_->record(Rung::exact, true);
     const Rational u = (Rational(x) - Rational(lo_)) / (Rational(hi_) - Rational(lo_));
-    return sign_of(evaluate_at(exact().rational(), u));
+    return sign_at(exact(), u);
   }
 
   Sign sign(double x) const
@@ -92,65 +92,41 @@ namespace detail {
 /// Descartes' method in doubles with an error bound. Gives up (false) where a sign stays unknown.
 class Filtered_isolator {
 public:
-  Filtered_isolator(int degree, double norm) : n_(static_cast<std::size_t>(degree)), norm_(norm)
+  explicit Filtered_isolator(int degree) : degree_(degree) {}
+
+  bool run(const double* c, double error, double lo, double hi, std::vector<Isolated_root<double>>& out) const
   {
-    arena_.resize((n_ + 1) * 2 * (max_depth + 1));
+    const Sign low = sign_of(c[0], error), high = sign_of(c[degree_], error);
+    return is_strict(low) && is_strict(high) && run(c, error, {low, high}, lo, hi, out);
   }
 
-  bool run(const double* c, double error, double lo, double hi, std::vector<Isolated_root<double>>& out)
+  /// The same where the signs at both ends are known otherwise.
+  bool run(const double* c, double error, std::pair<Sign, Sign> ends, double lo, double hi,
+           std::vector<Isolated_root<double>>& out) const
   {
-    if (!is_strict(sign_of(c[0], error)) || !is_strict(sign_of(c[n_], error))) return false;
-    return descend(c, error, lo, hi, 0, out);
+    Bounded_coefficients coefficients(c, degree_, error);
+    Observer observer{lo, hi, out};
+    return Descartes_search(coefficients, observer, max_depth).run(ends.first, ends.second);
   }
 
 private:
   static constexpr std::size_t max_depth = 40;
 
-  /// Sign variations, or -1 where an unknown sign could change their number.
-  int variations(const double* c, double error) const
-  {
-    int count = 0;
-    Sign last = sign_of(c[0], error);
-    bool open = false;
-    for (std::size_t i = 1; i <= n_; ++i) {
-      const Sign s = sign_of(c[i], error);
-      if (!is_strict(s)) {
-        open = true;
-        continue;
-      }
-      if (s == last && open) return -1;
-      if (s != last) ++count;
-      last = s;
-      open = false;
-    }
-    return count;
-  }
+  struct Observer {
+    double lo, hi;
+    std::vector<Isolated_root<double>>& out;
 
-  bool descend(const double* c, double error, double lo, double hi, std::size_t depth,
-               std::vector<Isolated_root<double>>& out)
-  {
-    const int v = variations(c, error);
-    if (v == 0) return true;
-    if (v == 1) {
-      out.push_back({lo, hi, 1, nullptr});
-      return true;
+    bool found(const Cut_path& path) const
+    {
+      const auto part = follow(path, lo, hi);
+      if (part) out.push_back({part->first, part->second, 1, nullptr});
+      return part.has_value();
     }
-    if (depth == max_depth) return false;
-    double* const left = arena_.data() + depth * 2 * (n_ + 1);
-    double* const right = left + n_ + 1;
-    for (double s : {0.5, 0.4375, 0.5625, 0.375}) {
-      split_kernel(c, left, right, Layout{1, n_ + 1, 1}, [s](double a, double b) { return (1 - s) * a + s * b; });
-      const double e = accumulated_error(error, 3.0 * static_cast<double>(n_), norm_);
-      if (!is_strict(sign_of(right[0], e))) continue;
-      const double mid = lo + s * (hi - lo);
-      return descend(left, e, lo, mid, depth + 1, out) && descend(right, e, mid, hi, depth + 1, out);
-    }
-    return false;
-  }
+    bool found_middle(const Cut_path&) const { return false; }
+    bool is_root_in_middle(const Cut_path&) const { return false; }
+  };
 
-  std::size_t n_;
-  double norm_;
-  std::vector<double> arena_;
+  int degree_;
 };
 
 } // namespace detail
@@ -160,7 +136,7 @@ private:
 inline Root_set<double> isolate_roots(const Univariate& f)
 {
   Root_set<double> result;
-  detail::Filtered_isolator filtered(f.degree(), f.norm());
+  const detail::Filtered_isolator filtered(f.degree());
   const auto attempt = [&](const Bernstein<Bounded, 1>& form, Rung rung) {
     result.roots.clear();
     const bool decided = filtered.run(form.values().data(), form.error(), f.lo(), f.hi(), result.roots);

@@ -1,0 +1,572 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The program `locus` from outside: what it refuses and how, and whether its results say what doc/ promises.
+
+Run by ctest; by hand: LOCUS_BIN_DIR=build/bin python3 test/cli_test.py
+The points of each result are checked against the input curves, evaluated here from the definition in rationals.
+"""
+
+import copy
+import glob
+import json
+import math
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+from fractions import Fraction
+
+ROOT = os.environ.get("LOCUS_SOURCE_DIR") or os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+BIN = os.environ.get("LOCUS_BIN_DIR") or os.path.join(ROOT, "build", "bin")
+PROGRAM = os.path.join(BIN, "locus")
+SMALL_STACK = 256 << 10
+PATIENCE = 30  # seconds for one run
+
+failures = []
+checks = 0
+
+
+def check(ok, what):
+    global checks
+    checks += 1
+    if not ok:
+        failures.append(what)
+    return ok
+
+
+def run(arguments, stdin=b"", stack=None):
+    def limit():
+        if stack:
+            resource.setrlimit(resource.RLIMIT_STACK, (stack, resource.getrlimit(resource.RLIMIT_STACK)[1]))
+
+    try:
+        return subprocess.run([PROGRAM] + arguments, input=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              preexec_fn=limit, timeout=PATIENCE, check=False)
+    except subprocess.TimeoutExpired as e:
+        return subprocess.CompletedProcess(e.cmd, "timeout", b"", b"no answer in %d s\n" % PATIENCE)
+
+
+# ------------------------------------------------------------------------------------------------- what is refused
+
+CUBIC = {"curve": {"degree": 3, "control_points": [[0, 0], [1, 2], [2, -1], [3, 1]]}}
+LINE = {"curve": {"degree": 1, "control_points": [[0, 4], [3, 5]]}}
+SPLINE = {"curve": {"degree": 2, "control_points": [[0, 0], [1, 2], [2, -1], [3, 1]], "knots": [0, 0, 0, 1, 2, 2, 2]}}
+SPACE = {"curve": {"degree": 1, "control_points": [[0, 0, 0], [1, 1, 1]]}}
+PLANE = {"surface": {"degrees": [1, 1], "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]]}}
+MONOMIAL = {"curve": {"monomial": {"x": [0, 1], "y": [0, 0, 1]}, "domain": ["-3", "inf"]}}
+BASE = {"compute": "bisector", "inputs": [CUBIC, LINE], "options": {"trimmed": False}}
+TEXT = json.dumps(BASE)
+
+
+def job(*changes, base=BASE):
+    """A job with some members replaced: (path, value) sets, (path,) deletes."""
+    j = copy.deepcopy(base)
+    for path, *value in changes:
+        at = j
+        for key in path[:-1]:
+            at = at[key]
+        if value:
+            at[path[-1]] = value[0]
+        else:
+            del at[path[-1]]
+    return json.dumps(j)
+
+
+def curve(*path):
+    return ("inputs", 1, "curve") + path
+
+
+def spline(**members):
+    return job((("inputs", 1), {"curve": dict(SPLINE["curve"], **members)}))
+
+
+def point_with(text):
+    return TEXT.replace("[3, 5]", text)
+
+
+POINTS = curve("control_points")
+# name, text, words that the line must hold
+INVALID = [
+    ("empty", "", ["empty"]),
+    ("white space", " \n\t ", ["empty"]),
+    ("no JSON", "hello", ["not JSON", "line 1, column 1"]),
+    ("truncated", TEXT[: len(TEXT) // 2], ["not JSON", "inputs[0].curve.control_points"]),
+    ("truncated at the end", TEXT[:-1], ["not JSON"]),
+    ("text after the end", TEXT + "}", ["not JSON"]),
+    ("two documents", TEXT + TEXT, ["not JSON"]),
+    ("comma at the end of a list", TEXT.replace("[3, 5]", "[3, 5,]"), ["not JSON", "inputs[1].curve.control_points[1]"]),
+    ("single quotes", TEXT.replace('"', "'"), ["not JSON"]),
+    ("comment", "// a job\n" + TEXT, ["not JSON"]),
+    ("nested lists", "[" * 100000, ["nested"]),
+    ("nested lists, closed", "[" * 100000 + "]" * 100000, ["nested"]),
+    ("nested objects", '{"inputs":' * 100000, ["nested"]),
+    ("nested in a point", point_with("[3, " + "[" * 100000), ["nested", "inputs[1].curve.control_points"]),
+    ("NUL bytes", "\0" * 100, ["not JSON"]),
+    ("line break in a string", TEXT.replace("bisector", "bi\nsector"), ["not JSON"]),
+    ("list", "[]", ["must be an object"]),
+    ("number", "17", ["must be an object"]),
+    ("null", "null", ["must be an object"]),
+    ("NaN", point_with("[3, NaN]"), ["inputs[1].curve.control_points[1][1]", "not JSON"]),
+    ("Infinity", point_with("[-Infinity, 5]"), ["inputs[1].curve.control_points[1][0]", "not JSON"]),
+    ("enormous number", point_with("[3, 1e999999]"), ["inputs[1].curve.control_points[1][1]", "1e999999"]),
+    ("number past the exponents", point_with("[3, 1e4900]"), ["inputs[1].curve.control_points[1][1]", "4000"]),
+    ("tiny number", point_with("[3, 1e-999999]"), ["inputs[1].curve.control_points[1][1]", "4000"]),
+    ("very long number", point_with("[3, " + "7" * 100000 + "]"), ["inputs[1].curve.control_points[1][1]", "100000 characters"]),
+    ("very long fraction", point_with('[3, "1/' + "7" * 100000 + '"]'), ["inputs[1].curve.control_points[1][1]", "characters"]),
+    ("leading zero", point_with("[3, 05]"), ["not JSON"]),
+    ("hexadecimal", point_with("[3, 0x10]"), ["not JSON"]),
+    ("word for a number", point_with('[3, "five"]'), ["inputs[1].curve.control_points[1][1]", "five"]),
+    ("empty string for a number", point_with('[3, ""]'), ["inputs[1].curve.control_points[1][1]", "not a number"]),
+    ("nan as a string", point_with('[3, "nan"]'), ["inputs[1].curve.control_points[1][1]", "nan"]),
+    ("inf as a string", point_with('[3, "inf"]'), ["inputs[1].curve.control_points[1][1]", "inf"]),
+    ("fraction of decimals", point_with('[3, "0.5/2"]'), ["inputs[1].curve.control_points[1][1]", "0.5/2"]),
+    ("denominator zero", point_with('[3, "1/0"]'), ["inputs[1].curve.control_points[1][1]", "zero"]),
+    ("space in a number", point_with('[3, " 5"]'), ["inputs[1].curve.control_points[1][1]"]),
+    ("true for a number", point_with("[3, true]"), ["inputs[1].curve.control_points[1][1]", "must be a number"]),
+    ("null for a number", point_with("[3, null]"), ["inputs[1].curve.control_points[1][1]", "must be a number"]),
+    ("list for a number", point_with("[3, [5]]"), ["inputs[1].curve.control_points[1][1]", "must be a number"]),
+    ("duplicate key", TEXT.replace('"compute"', '"compute": "bisector", "compute"', 1), ["compute", "twice"]),
+    ("duplicate key inside", TEXT.replace('"degree": 1', '"degree": 1, "degree": 1'), ["inputs[1].curve", "degree", "twice"]),
+    ("many keys", "{" + ",".join('"k%d":0' % i for i in range(100000)) + "}", ["keys"]),
+    ("unknown key", job((("input",), [])), ['"input"', 'did you mean "inputs"']),
+    ("unknown key of an input", job((("inputs", 1, "weight"), [1])), ["inputs[1]", '"weight"']),
+    ("unknown key of a curve", job((curve("weigths"), [1, 1])), ["inputs[1].curve", '"weigths"', 'did you mean "weights"']),
+    ("another name for points", job((curve("ctrl"), [])), ["inputs[1].curve", '"ctrl"']),
+    ("unknown option", job((("options", "tolerence"), 1e-3)), ["options", '"tolerence"', 'did you mean "tolerance"']),
+    ("alpha for a bisector", job((("alpha",), "1/3")), ['"alpha"']),
+    ("evil key", job((("x\n\x1b[31m\u2028y",), 1)), ["unknown key"]),
+    ("no compute", job((("compute",),)), ['"compute"', "missing"]),
+    ("unknown compute", job((("compute",), "bisektor")), ["compute", "bisektor", 'did you mean "bisector"']),
+    ("compute of a wrong type", job((("compute",), ["bisector"])), ["compute", "must be a string"]),
+    ("no inputs key", job((("inputs",),)), ['"inputs"', "missing"]),
+    ("no inputs", job((("inputs",), [])), ["inputs", "0 inputs"]),
+    ("three inputs", job((("inputs",), [CUBIC, LINE, LINE])), ["inputs", "3 inputs"]),
+    ("inputs of a wrong type", job((("inputs",), CUBIC)), ["inputs", "must be a list"]),
+    ("input of a wrong type", job((("inputs", 1), [[0, 0], [1, 1]])), ["inputs[1]", "must be an object"]),
+    ("empty input", job((("inputs", 1), {})), ["inputs[1]"]),
+    ("two things in one input", job((("inputs", 1, "point"), [0, 0])), ["inputs[1]", "one thing"]),
+    ("curve of a wrong type", job((("inputs", 1, "curve"), 7)), ["inputs[1].curve", "must be an object"]),
+    ("no degree", job((curve("degree"),)), ["inputs[1].curve", '"degree"', "missing"]),
+    ("no control points key", job((POINTS,)), ["inputs[1].curve", '"control_points"', "missing"]),
+    ("degree too high", job((curve("degree"), 2)), ["inputs[1].curve.control_points", "2 control points for degree 2"]),
+    ("degree too low", job((("inputs", 0, "curve", "degree"), 2)), ["inputs[0].curve.control_points", "4 control points for degree 2"]),
+    ("degree zero", job((curve("degree"), 0), (POINTS, [[0, 0]])), ["inputs[1].curve.degree"]),
+    ("negative degree", job((curve("degree"), -1)), ["inputs[1].curve.degree"]),
+    ("broken degree", job((curve("degree"), 1.5)), ["inputs[1].curve.degree", "whole number"]),
+    ("enormous degree", job((curve("degree"), 10**30)), ["inputs[1].curve.degree"]),
+    ("no control points", job((POINTS, [])), ["inputs[1].curve.control_points", "0 control points"]),
+    ("one control point", job((POINTS, [[0, 0]])), ["inputs[1].curve.control_points", "1 control points"]),
+    ("flat control points", job((POINTS, [0, 0, 1, 1])), ["inputs[1].curve.control_points[0]", "must be a list"]),
+    ("point of one coordinate", point_with("[3]"), ["inputs[1].curve.control_points[1]", "not 1"]),
+    ("point of four coordinates", point_with("[3, 5, 0, 1]"), ["inputs[1].curve.control_points[1]", "not 4"]),
+    ("mixed dimensions in a curve", point_with("[3, 5, 0]"), ["inputs[1].curve.control_points[1]", "inputs[0].curve.control_points[0]"]),
+    ("mixed dimensions", job((("inputs", 1), SPACE)), ["inputs[1].curve.control_points[0]", "3 coordinates"]),
+    ("mixed dimensions with a point", job((("inputs", 1), {"point": [1, 2, 3]})), ["inputs[1].point"]),
+    ("one point repeated", job((POINTS, [[1, 2], [1, 2]])), ["inputs[1].curve.control_points", "single point"]),
+    ("too few weights", job((curve("weights"), [1])), ["inputs[1].curve.weights", "1 weights for 2"]),
+    ("zero weights", job((curve("weights"), [0, 0])), ["inputs[1].curve.weights", "zero"]),
+    ("pole inside", job((curve("weights"), [1, -1])), ["inputs[1].curve.weights", "pole"]),
+    ("one point after reduction", job((curve("weights"), [1, 0])), ["inputs[1].curve", "single point"]),
+    ("double pole", job((("inputs", 1), {"curve": {"degree": 2, "control_points": [[0, 0], [1, 1], [2, 0]], "weights": [1, -1, 1]}})), ["inputs[1].curve.weights", "pole"]),
+    ("weight that is no number", job((curve("weights"), [1, "w"])), ["inputs[1].curve.weights[1]"]),
+    ("one point but for its weights", job((POINTS, [[1, 2], [1, 2]]), (curve("weights"), [1, 2])), ["single point"]),
+    ("closed that is open", job((curve("closed"), True)), ["inputs[1].curve.closed", "coincide"]),
+    ("closed of a wrong type", job((curve("closed"), "yes")), ["inputs[1].curve.closed", "true or false"]),
+    ("too few knots", spline(knots=[0, 0, 0, 2, 2, 2]), ["inputs[1].curve.knots", "6 knots"]),
+    ("knots that decrease", spline(knots=[0, 0, 0, 3, 2, 2, 2]), ["inputs[1].curve.knots[4]", "decrease"]),
+    ("knots in one place", spline(knots=[1] * 7), ["inputs[1].curve.knots"]),
+    ("inner knot too often", spline(control_points=[[0, 0], [1, 2], [2, -1], [3, 1], [4, 4], [5, 5]], knots=[0, 0, 0, 1, 1, 1, 2, 2, 2]), ["inputs[1].curve.knots", "repeated"]),
+    ("pole of a spline", spline(weights=[1, -3, -3, 1]), ["inputs[1].curve.weights", "pole"]),
+    ("spline that is one point", spline(control_points=[[1, 1]] * 4), ["inputs[1].curve.control_points", "single point"]),
+    ("closed spline that is open", spline(closed=True), ["inputs[1].curve.closed"]),
+    ("domain without monomials", job((curve("domain"), [0, 1])), ["inputs[1].curve", "domain"]),
+    ("monomials and control points", job((curve("monomial"), {"x": [0, 1], "y": [1]})), ["inputs[1].curve", "exclude"]),
+    ("monomials without y", job((("inputs", 1), {"curve": {"monomial": {"x": [0, 1]}, "domain": [0, 1]}})), ["inputs[1].curve.monomial", '"y"']),
+    ("monomials without domain", job((("inputs", 1), {"curve": {"monomial": {"x": [0, 1], "y": [1]}}})), ["inputs[1].curve", '"domain"']),
+    ("empty domain", job((("inputs", 1), {"curve": {"monomial": {"x": [0, 1], "y": [1]}, "domain": [1, 1]}})), ["inputs[1].curve.domain", "empty"]),
+    ("domain upside down", job((("inputs", 1), {"curve": {"monomial": {"x": [0, 1], "y": [1]}, "domain": ["inf", "-inf"]}})), ["inputs[1].curve.domain[0]"]),
+    ("monomials of one point", job((("inputs", 1), {"curve": {"monomial": {"x": [1, 2], "y": [3, 6], "w": [1, 2]}, "domain": [0, 1]}})), ["inputs[1].curve.monomial", "single point"]),
+    ("monomials over zero", job((("inputs", 1), {"curve": {"monomial": {"x": [1, 2], "y": [3, 6], "w": [0, 0]}, "domain": [0, 1]}})), ["inputs[1].curve.monomial.w", "zero"]),
+    ("surface of planar points", job((("inputs",), [{"surface": {"degrees": [1, 1], "control_points": [[[0, 0], [0, 1]], [[1, 0], [1, 1]]]}}, LINE])), ["inputs[0].surface.control_points[0][0]"]),
+    ("ragged surface", job((("inputs",), [{"surface": {"degrees": [1, 1], "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0]]]}}, SPACE])), ["inputs[0].surface.control_points[1]"]),
+    ("point alone", job((("inputs",), [{"point": [0, 0]}])), ["inputs[0]", "self-bisector"]),
+    ("envelope of a point", job((("compute",), "envelope"), (("inputs", 1), {"point": [0, 0]})), ["inputs", "envelope"]),
+    ("curvature of two curves", job((("compute",), "curvature")), ["inputs", "2 inputs"]),
+    ("alpha sector without alpha", job((("compute",), "alpha_sector")), ['"alpha"', "missing"]),
+    ("alpha of one", job((("compute",), "alpha_sector"), (("alpha",), 1)), ["alpha", "between 0 and 1"]),
+    ("options of a wrong type", job((("options",), [])), ["options", "must be an object"]),
+    ("trimmed of a wrong type", job((("options", "trimmed"), 0)), ["options.trimmed", "true or false"]),
+    ("tolerance zero", job((("options", "tolerance"), 0)), ["options.tolerance", "positive"]),
+    ("negative tolerance", job((("options", "tolerance"), -1e-6)), ["options.tolerance", "positive"]),
+    ("tolerance of a wrong type", job((("options", "tolerance"), {})), ["options.tolerance", "must be a number"]),
+    ("negative join tolerance", job((("options", "join_tolerance"), -1)), ["options.join_tolerance"]),
+    # Invalid and asking for what is missing: invalid comes first.
+    ("trimmed, and an unknown key", job((("options",), {"trimmed": True, "zoom": 1})), ["options", '"zoom"']),
+    ("a point, and a wrong curve", job((("inputs", 0), {"point": [0, 0]}), (curve("weights"), [1, -1])), ["inputs[1].curve.weights"]),
+    ("a spline, and a wrong tolerance", spline().replace('"trimmed": false', '"tolerance": "0"'), ["options.tolerance"]),
+]
+
+# name, text, words
+MISSING = [
+    ("trimmed by default", job((("options",),)), ["options.trimmed"]),
+    ("trimmed", job((("options", "trimmed"), True)), ["options.trimmed"]),
+    ("point and curve", job((("inputs", 1), {"point": [0.1, "1/3"]})), ["inputs[1]", "point"]),
+    ("two points", job((("inputs",), [{"point": [0, 0]}, {"point": [1, 1]}])), ["inputs[0]", "point"]),
+    ("self-bisector", job((("inputs",), [CUBIC])), ["self-bisector"]),
+    ("spline", job((("inputs", 1), SPLINE)), ["inputs[1]", "B-spline"]),
+    ("spline with weights", spline(weights=[1, 2, 3, 4]), ["inputs[1]", "B-spline"]),
+    ("spline with a negative weight, no pole", spline(weights=["1", "-1/8", "1", "1"]), ["inputs[1]", "B-spline"]),
+    ("spline without clamps", spline(knots=[0, 1, 2, 3, 4, 5, 6]), ["inputs[1]", "B-spline"]),
+    ("closed curve", job((("inputs", 1), {"curve": {"degree": 3, "control_points": [[0, 0], [1, 0], [0, 1], [0, 0]], "closed": True}})), ["inputs[1]", "closed"]),
+    ("closed spline", spline(control_points=[[0, 0], [1, 2], [2, -1], [0, 0]], closed=True), ["inputs[1]"]),
+    ("monomials", job((("inputs", 1), MONOMIAL)), ["inputs[1]", "monomial"]),
+    ("curves in space", job((("inputs",), [SPACE, SPACE])), ["inputs[0]", "space"]),
+    ("curve and surface", job((("inputs",), [SPACE, PLANE])), ["inputs[0]", "space"]),
+    ("surfaces", job((("inputs",), [PLANE, PLANE])), ["inputs[0]", "surface"]),
+    ("alpha sector", job((("compute",), "alpha_sector"), (("alpha",), "1/3")), ["alpha_sector"]),
+    ("envelope", job((("compute",), "envelope")), ["envelope"]),
+    ("curvature", job((("compute",), "curvature"), (("inputs",), [CUBIC])), ["curvature"]),
+    ("evolute", job((("compute",), "evolute"), (("inputs",), [CUBIC])), ["evolute"]),
+    ("silhouette", json.dumps({"compute": "silhouette", "inputs": [PLANE], "eye": [0, 0, 1]}), ["silhouette"]),
+    ("sweep", json.dumps({"compute": "sweep", "inputs": [PLANE], "motion": {}}), ["sweep"]),
+    ("join tolerance", job((("options", "join_tolerance"), 1e-8)), ["options.join_tolerance"]),
+    ("high degree", job((("inputs", 1), {"curve": {"degree": 500, "control_points": [[i, i * i] for i in range(501)]}})), ["inputs[1]", "degree"]),
+    ("cusp", job((("inputs", 1), {"curve": {"degree": 3, "control_points": [[0, 0], [3, 3], [0, 3], [3, 0]]}})), ["cusp"]),
+]
+
+
+def check_refusal(name, result, status, words):
+    error = result.stderr.decode("utf-8", "replace")
+    check(result.returncode == status, f"{name}: status {result.returncode}, not {status}: {error[:300]!r}")
+    check(result.stdout == b"", f"{name}: wrote {result.stdout[:80]!r} to standard output")
+    check(error.endswith("\n") and len(error.splitlines()) == 1, f"{name}: not one line: {error[:300]!r}")
+    check("\x1b" not in error and len(error) < 3000, f"{name}: unfit for a terminal: {error[:300]!r}")
+    if status == 2:
+        check(error.startswith("locus: ") and "; " in error, f"{name}: no remedy: {error[:300]!r}")
+    for word in words:
+        check(word in error, f"{name}: {word!r} is not in {error[:300]!r}")
+
+
+def test_refusals(folder):
+    path = os.path.join(folder, "job.json")
+    for table, status in ((INVALID, 2), (MISSING, 4)):
+        for name, text, words in table:
+            with open(path, "wb") as f:
+                f.write(text.encode("utf-8", "surrogatepass"))
+            check_refusal(name, run([path], stack=SMALL_STACK), status, ["job.json"] + words)
+    # Bytes that are no text.
+    for name, data in [("UTF-16", TEXT.encode("utf-16")), ("Latin 1", TEXT.replace("bisector", "bis\xe9ctor").encode("latin-1")),
+                       ("a broken sequence", TEXT.encode().replace(b"bisector", b"bi\xf0\x28\x8c\x28")),
+                       ("random bytes", bytes(range(256)) * 40)]:
+        with open(path, "wb") as f:
+            f.write(data)
+        check_refusal(name, run([path], stack=SMALL_STACK), 2, ["not JSON"])
+    with open(path, "wb") as f:
+        f.write(b'{"compute": "' + b"x" * (65 << 20) + b'"}')
+    check_refusal("a large file", run([path], stack=SMALL_STACK), 2, ["64 MiB"])
+    with open(path, "wb") as f:
+        f.write(b'{"inputs": [' + b"0," * (10 << 20) + b"0]}")
+    check_refusal("many values", run([path], stack=SMALL_STACK), 2, ["values"])
+    check_refusal("many values on standard input", run(["-"], stdin=b"[" + b"[]," * 3000000), 2, ["standard input", "values"])
+    check_refusal("standard input", run(["-"], stdin=b"{"), 2, ["standard input", "not JSON"])
+
+
+def test_command_line(folder):
+    path = os.path.join(folder, "job.json")
+    with open(path, "w") as f:
+        f.write(TEXT)
+    out = os.path.join(folder, "out.json")
+    for name, arguments, words in [
+        ("no job", [], ["JOB"]), ("unknown option", [path, "--jsn", out], ["--jsn"]), ("two jobs", [path, path], []),
+        ("no such job", [os.path.join(folder, "absent.json")], ["absent.json", "cannot be read"]),
+        ("a folder for a job", [folder], ["directory"]), ("an option without its value", [path, "--json"], ["--json"]),
+        ("tolerance of zero", [path, "--tolerance", "0"], ["--tolerance", "positive"]),
+        ("negative tolerance", [path, "--tolerance=-1e-6"], ["--tolerance", "positive"]),
+        ("tolerance nan", [path, "--tolerance", "nan"], ["--tolerance", "nan"]),
+        ("cells that are no number", [path, "--max-cells", "few"], ["max-cells"]),
+        ("negative cells", [path, "--max-cells", "-5"], ["max-cells"]),
+        ("seconds nan", [path, "--max-seconds", "nan"], ["max-seconds"]),
+        ("one file for two", [path, "--json", out, "--svg", out], ["two outputs"]),
+        ("the job overwritten", [path, "--json", path], ["is the job itself"]),
+        ("no folder for the result", [path, "--json", os.path.join(folder, "absent", "out.json")], ["cannot be written"]),
+        ("no folder for the picture", [path, "--json", out, "--svg", os.path.join(folder, "absent", "out.svg")], ["cannot be written"]),
+        ("check without a certificate", ["check"], ["CERTIFICATE"]),
+    ]:
+        check_refusal(name, run(arguments), 2, words)
+    for name, arguments, words in [("certificate", [path, "--certificate", out], ["certificate"]), ("mesh", [path, "--ply", out], ["mesh"]),
+                                   ("check", ["check", out], ["certificate"])]:
+        check_refusal(name, run(arguments), 4, words)
+    with open(path) as f:
+        check(f.read() == TEXT, "the job was overwritten")
+    if os.path.exists("/dev/full"):
+        check_refusal("a full disk", run([path, "--json", "/dev/full"]), 2, ["/dev/full", "cannot be written"])
+    for option in ("--help", "--version"):
+        result = run([option])
+        check(result.returncode == 0 and result.stderr == b"" and b"locus" in result.stdout, f"{option}: {result}")
+
+    plain, piped = run([path]), run(["-"], stdin=TEXT.encode())
+    without_time = [b"\n".join(line for line in r.stdout.splitlines() if b'"seconds"' not in line) for r in (plain, piped)]
+    check(plain.returncode == 0 and plain.stderr == b"" and without_time[0] == without_time[1], "standard input and a file differ")
+    result = run([path, "--svg", "-"])
+    check(result.returncode == 0 and result.stdout.startswith(b"<svg"), "--svg - does not write the picture")
+    result = run([path, "--json", out, "--progress"])
+    check(result.returncode == 0 and result.stdout == b"", "--json OUT writes to standard output too")
+    result = run([path, "--max-cells", "1"])
+    check(result.returncode == 1, f"one cell was enough: {result.returncode} {result.stderr!r}")
+    data = read_result(result.stdout)
+    check(data["status"] == "undecided" and data["undecided"], "a limit was reached, but nothing is undecided")
+    sizes = [len(read_result(run([path, "--tolerance", e]).stdout)["arcs"][0]["samples"]) for e in ("1/100", "1e-4", "1e-8")]
+    check(sizes[0] < sizes[1] < sizes[2], f"--tolerance does not change the number of samples: {sizes}")
+
+
+# --------------------------------------------------------------------------------------------------------- results
+
+
+def reject_constant(name):
+    raise ValueError(f"{name} is not JSON")
+
+
+def read_result(text):
+    return json.loads(text, parse_constant=reject_constant)
+
+
+def exact(number):
+    return Fraction(number)  # an int, a Fraction, or a string like "2/3" or "0.25"
+
+
+class Curve:
+    """A Bézier curve on its parameter range, from the definition."""
+
+    def __init__(self, data):
+        d = data["degree"]
+        points = [[exact(x) for x in p] for p in data["control_points"]]
+        weights = [exact(w) for w in data.get("weights", [1] * (d + 1))]
+        self.rows = [[p[k] * w for p, w in zip(points, weights)] for k in range(2)] + [weights]
+        knots = data.get("knots")
+        self.lo, self.hi = (exact(knots[d]), exact(knots[-d - 1])) if knots else (Fraction(0), Fraction(1))
+
+    def contains(self, lo, hi):
+        """In the domain, but for the rounding of its ends to doubles."""
+        return lo >= math.nextafter(float(self.lo), -math.inf) and hi <= math.nextafter(float(self.hi), math.inf)
+
+    def at(self, u):
+        """Point and tangent direction, exactly, at a float."""
+        s = (Fraction(u) - self.lo) / (self.hi - self.lo)
+        values, slopes = [], []
+        for row in self.rows:
+            n = len(row) - 1
+            while len(row) > 2:
+                row = [a + s * (b - a) for a, b in zip(row, row[1:])]
+            values.append(row[0] + s * (row[1] - row[0]))
+            slopes.append(n * (row[1] - row[0]))
+        x, y, w = values
+        return (x / w, y / w), (slopes[0] * w - x * slopes[2], slopes[1] * w - y * slopes[2])
+
+
+KEYS = ["compute", "trimmed", "status", "scale", "cut_radius", "equations", "vertices", "arcs", "regions", "degenerate", "undecided", "statistics"]
+KINDS = {"boundary", "corner", "infinity", "node", "isolated", "trim", "diagonal", "undecided"}
+
+
+def check_point(name, curves, scale, parameters, point, radius, slack):
+    """A locus point: on the normals of its feet, and at their distance."""
+    # Far from the origin doubles are far apart.
+    allowed = 1e-9 * max(scale, radius) + slack + 4 * max(map(math.ulp, point))
+    for c, u in zip(curves, parameters):
+        foot, tangent = c.at(u)
+        difference = [float(Fraction(x) - f) for x, f in zip(point, foot)]
+        off = math.hypot(*difference) - radius
+        if not check(abs(off) <= allowed, f"{name}: {point} is off by {off:.2g} from its foot at {u}"):
+            return
+        size = max(abs(x) for x in tangent)
+        if size > 0:
+            t = [float(x / size) for x in tangent]
+            slope = (difference[0] * t[0] + difference[1] * t[1]) / math.hypot(*t)
+            check(abs(slope) <= 1e3 * allowed, f"{name}: {point} is not on the normal at {u} (by {slope:.2g})")
+
+
+def components(data):
+    parent = list(range(len(data["vertices"])))
+
+    def find(i):
+        while parent[i] != i:
+            i = parent[i]
+        return i
+
+    used, closed = set(), 0
+    for arc in data["arcs"]:
+        if arc["closed"]:
+            closed += 1
+        else:
+            used |= {arc["source"], arc["target"]}
+            parent[find(arc["source"])] = find(arc["target"])
+    used |= {i for i, v in enumerate(data["vertices"]) if v["kind"] == "isolated"}
+    return closed + len({find(i) for i in used})
+
+
+def check_result(name, job_text, data):
+    inputs = json.loads(job_text, parse_float=Fraction)["inputs"]
+    curves = [Curve(i["curve"]) for i in inputs]
+    for key in KEYS:
+        check(key in data, f"{name}: no {key!r}")
+    check(data["compute"] == "bisector" and data["trimmed"] is False, f"{name}: another job's result")
+    check((data["status"] == "certified") == (data["undecided"] == []), f"{name}: status and undecided boxes disagree")
+    scale, cut, centre = data["scale"], data["cut_radius"], data["centre"]
+    check(cut >= 10 * scale > 0, f"{name}: cut_radius {cut}, scale {scale}")
+    check(all(e["name"] and len(e["degrees"]) == 2 for e in data["equations"]), f"{name}: equations")
+    for key in ("cells", "filter_calls", "filter_failures", "exact_cells"):
+        check(isinstance(data["statistics"][key], int), f"{name}: statistics.{key}")
+    check(data["statistics"]["seconds"] >= 0, f"{name}: statistics.seconds")
+    check(data["components"] == components(data), f"{name}: components")
+
+    for i, v in enumerate(data["vertices"]):
+        where = f"{name}: vertices[{i}]"
+        check(v["kind"] in KINDS, f"{where}: kind {v['kind']}")
+        check([f["input"] for f in v["feet"]] == [0, 1], f"{where}: feet {v['feet']}")
+        middle = []
+        for c, foot in zip(curves, v["feet"]):
+            [[lo, hi]] = foot["parameters"]
+            middle.append(lo + (hi - lo) / 2)
+            check(lo <= hi <= lo + 1e-6 * float(c.hi - c.lo) and c.contains(lo, hi), f"{where}: parameters [{lo}, {hi}]")
+            feature = foot["feature"]
+            check(feature in ("interior", "start", "end"), f"{where}: feature {feature}")
+            if feature != "interior":
+                end = c.lo if feature == "start" else c.hi
+                check(lo <= end <= hi and (hi == lo or hi == math.nextafter(lo, math.inf)), f"{where}: {feature} at [{lo}, {hi}]")
+        if v["kind"] == "boundary":
+            check(any(f["feature"] != "interior" for f in v["feet"]), f"{where}: a boundary vertex inside")
+        if v["kind"] == "infinity":
+            check("point" not in v and abs(math.hypot(*v["direction"]) - 1) < 1e-12, f"{where}: {v}")
+            check(set(v["asymptote"]) == {"point", "direction"}, f"{where}: asymptote")
+        else:
+            width = max(hi - lo for f in v["feet"] for lo, hi in f["parameters"])
+            check_point(where, curves, scale, middle, v["point"], v["radius"], 1e3 * scale * width)
+        ends = [(a, at) for a, arc in enumerate(data["arcs"]) for at in ("source", "target") if arc.get(at) == i]
+        if v["kind"] == "node":
+            named = [(h["arc"], h["at"]) for h in v["half_branches"]]
+            check(sorted(named) == sorted(ends) and len(ends) >= 4, f"{where}: half-branches {named}, arc ends {ends}")
+            check_cyclic_order(where, data, middle, named)
+        if v["kind"] in ("boundary", "isolated"):
+            check(len(ends) == (0 if v["kind"] == "isolated" else len(ends)), f"{where}: arcs at an isolated point")
+
+    for i, arc in enumerate(data["arcs"]):
+        check_arc(f"{name}: arcs[{i}]", arc, data, curves, centre)
+    for i, u in enumerate(data["undecided"]):
+        check(len(u["box"]) == 2 and u["reason"], f"{name}: undecided[{i}]")
+
+
+def check_cyclic_order(where, data, middle, named):
+    """Directions in which the branches leave a node of the parameter space turn one way, once around."""
+    angles = []
+    for a, at in named:
+        samples = data["arcs"][a]["samples"]
+        samples = samples if at == "source" else samples[::-1]
+        out = [s["parameters"] for s in samples if math.dist(s["parameters"], middle) > 1e-5]
+        angles.append(math.atan2(out[0][1] - middle[1], out[0][0] - middle[0]))
+    turns = [(b - a) % (2 * math.pi) for a, b in zip(angles, angles[1:] + angles[:1])]
+    check(abs(sum(turns) - 2 * math.pi) < 1e-6 or abs(sum(2 * math.pi - t for t in turns) - 2 * math.pi) < 1e-6,
+          f"{where}: half-branches are not in cyclic order: {angles}")
+
+
+def check_arc(where, arc, data, curves, centre):
+    scale, samples = data["scale"], arc["samples"]
+    check(arc["inputs"] == [0, 1] and arc["features"] == ["interior", "interior"], f"{where}: inputs, features")
+    check(arc["closed"] == ("source" not in arc) == ("target" not in arc), f"{where}: closed")
+    check(isinstance(arc["error"], (int, float)) and 0 <= arc["error"] <= scale, f"{where}: error {arc['error']}")
+    check(len(samples) >= 2, f"{where}: {len(samples)} samples")
+    every = max(1, len(samples) // 300)
+    for s in samples[::every] + samples[-1:] + arc["irregular"]:
+        check(len(s["parameters"]) == 2 and all(c.contains(u, u) for c, u in zip(curves, s["parameters"])), f"{where}: parameters {s['parameters']}")
+        check_point(where, curves, scale, s["parameters"], s["point"], s["radius"], 0)
+    if arc["closed"]:
+        check(math.dist(samples[0]["point"], samples[-1]["point"]) <= 1e-9 * scale, f"{where}: does not close")
+        return
+    for key, sample in (("source", samples[0]), ("target", samples[-1])):
+        if not check(isinstance(arc[key], int) and 0 <= arc[key] < len(data["vertices"]), f"{where}: {key} {arc[key]}"):
+            continue
+        v = data["vertices"][arc[key]]
+        if v["kind"] == "infinity":
+            check(math.dist(sample["point"], centre) >= data["cut_radius"] * (1 - 1e-6), f"{where}: cut inside the cut radius")
+            continue
+        check(math.dist(sample["point"], v["point"]) <= 1e-9 * scale + 4 * math.ulp(v["point"][0]), f"{where}: its {key} is not its vertex")
+        for u, foot in zip(sample["parameters"], v["feet"]):
+            [[lo, hi]] = foot["parameters"]
+            check(lo - 1e-9 <= u <= hi + 1e-9, f"{where}: its {key} has the parameter {u}, its vertex [{lo}, {hi}]")
+
+
+EXPECTED = {  # job: status of the program, arcs, components, kinds of vertices that must be there
+    "line_quad": (0, 1, 1, {"boundary"}),
+    "parallel_lines": (0, 1, 1, {"boundary"}),
+    "concentric_arcs": (0, 1, 1, {"boundary"}),
+    "crossing_cubics": (0, None, 1, {"node", "infinity", "boundary"}),
+    "mirror_cubics": (0, None, None, {"node"}),
+    "node_of_osculating_circles": (0, 4, 1, {"node", "boundary"}),
+    "own_parameter_ranges": (0, 1, 1, {"boundary"}),
+}
+
+
+def test_results(folder):
+    jobs = sorted(glob.glob(os.path.join(ROOT, "examples", "jobs", "*.json")))
+    check(len(jobs) >= 9, f"only {len(jobs)} jobs in examples/jobs")
+    check(set(EXPECTED) <= {os.path.basename(j)[:-5] for j in jobs}, "a job is gone")
+    for path in jobs:
+        name = os.path.basename(path)[:-5]
+        out, picture = os.path.join(folder, "out.json"), os.path.join(folder, "out.svg")
+        result = run([path, "--json", out, "--svg", picture])
+        if not check(result.returncode in (0, 1) and result.stderr == b"", f"{name}: status {result.returncode}: {result.stderr[:300]!r}"):
+            continue
+        with open(path) as f, open(out) as g:
+            text, data = f.read(), read_result(g.read())
+        check(result.returncode == (0 if data["status"] == "certified" else 1), f"{name}: status {result.returncode}, {data['status']}")
+        check_result(name, text, data)
+        status, arcs, parts, kinds = EXPECTED.get(name, (result.returncode, None, None, set()))
+        check(result.returncode == status, f"{name}: status {result.returncode}, not {status}")
+        check(arcs is None or len(data["arcs"]) == arcs, f"{name}: {len(data['arcs'])} arcs, not {arcs}")
+        check(parts is None or data["components"] == parts, f"{name}: {data['components']} components, not {parts}")
+        check(kinds <= {v["kind"] for v in data["vertices"]}, f"{name}: no vertex of {kinds}")
+        with open(picture, "rb") as f:
+            svg = f.read()
+        check(b"nan" not in svg and b"inf\"" not in svg, f"{name}: no number in its picture")
+        check(xml.etree.ElementTree.fromstring(svg).tag.endswith("svg"), f"{name}: picture")
+
+    # Numbers are exact: three spellings of one job, one answer; a hair beside it, another.
+    def answer(third):
+        text = TEXT.replace("[3, 5]", f"[3, {third}]")
+        data = read_result(run(["-"], stdin=text.encode()).stdout)
+        check_result("spelling " + third, text, data)
+        del data["statistics"]
+        return data
+
+    check(answer("0.3") == answer('"3/10"') == answer("3e-1") == answer('"0.3"'), "spellings of 0.3 differ")
+    # Of every size: the frame keeps doubles from over- and underflow.
+    for size in ("1e-300", "1e-100", "1e100", "1e150"):
+        c1 = [[0, 0], [1, 2], [3, 0]]
+        c2 = [[0, 3], [1, 4], [3, 3]]
+        text = '{"compute": "bisector", "inputs": [%s], "options": {"trimmed": false}}' % ", ".join(
+            '{"curve": {"degree": 2, "control_points": [%s]}}' % ", ".join(f"[{x}{size[1:]}, {y}{size[1:]}]" for x, y in c) for c in (c1, c2))
+        result = run(["-"], stdin=text.encode())
+        if check(result.returncode == 0, f"size {size}: status {result.returncode}: {result.stderr[:300]!r}"):
+            data = read_result(result.stdout)
+            check(len(data["arcs"]) == 1 and data["arcs"][0]["error"] <= 1e-5 * data["scale"], f"size {size}")
+
+
+def main():
+    if not os.access(PROGRAM, os.X_OK):
+        print(f"{PROGRAM} is not there: build the target locus_cli first")
+        return 1
+    with tempfile.TemporaryDirectory() as folder:
+        test_refusals(folder)
+        test_command_line(folder)
+        test_results(folder)
+    shown = {}
+    for failure in failures:
+        about = ":".join(failure.split(":")[:2])
+        shown[about] = shown.get(about, 0) + 1
+        if shown[about] <= 3:
+            print("FAILED", failure)
+    print(f"{checks} checks, {len(failures)} failed")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
