@@ -372,7 +372,7 @@ auto parameter(double x)
 }
 
 template <class T, int D>
-Bernstein<T, D> apply(Operation operation, const Bernstein<T, D>& f, const Bernstein<T, D>& g, const Parameters& p)
+[[gnu::noinline]] Bernstein<T, D> apply(Operation operation, const Bernstein<T, D>& f, const Bernstein<T, D>& g, const Parameters& p)
 {
   switch (operation) {
   case Operation::sum: return locus::add(f, g);

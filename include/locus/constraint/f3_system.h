@@ -179,9 +179,11 @@ inline void divide_out_tangencies(F3_problem& p, int variable)
   const Integer_polynomial factor = univariate_factor(f, variable);
   if (degree(factor) < 1) return;
   const Bernstein<Scaled_integer, 1> factor_form = bernstein_form(factor);
-  const auto roots = exact_roots(factor_form, 0.0, 1.0).roots;
+  auto roots = exact_roots(factor_form, 0.0, 1.0).roots;
   if (roots.empty()) return;
-  for (const auto& root : roots) {
+  for (auto& root : roots) {
+    while (!root.is_exact() && root.hi - root.lo > 0x1p-40)
+      if (!bisect_exactly(*root.factor, 0.0, 1.0, root)) break;
     Degenerate_component d;
     d.kind = other == Carrier::Kind::line ? Degenerate_component::Kind::infinity : Degenerate_component::Kind::centre;
     d.input = variable;

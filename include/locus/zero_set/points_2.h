@@ -51,6 +51,9 @@ public:
 
 private:
   static constexpr int max_depth = 60;
+
+  /// A solution's enclosure is narrowed at least to this part of the unit cell.
+  static constexpr double largest_enclosure = 0x1p-30;
   using Matrix = std::array<std::array<Interval, 2>, 2>;
   using Point = std::array<Interval, 2>;
 
@@ -178,11 +181,12 @@ private:
         inner = inner && box.lo[v] < k[v].inf() && k[v].sup() < box.hi[v];
         next.lo[v] = std::max(box.lo[v], k[v].inf());
         next.hi[v] = std::min(box.hi[v], k[v].sup());
-        smaller = smaller || next.hi[v] - next.lo[v] < 0.9 * (box.hi[v] - box.lo[v]);
+        smaller = smaller || next.hi[v] - next.lo[v] < 0.97 * (box.hi[v] - box.lo[v]);
       }
       proved = proved || inner;
       if (!smaller || next.width(0) <= 0 || next.width(1) <= 0) {
-        if (!proved) return std::nullopt;
+        // Slow contraction of a box that is still large says nothing yet: the caller cuts the cell.
+        if (!proved || next.max_width() > largest_enclosure) return std::nullopt;
         Isolated_point p;
         p.box = {Interval(next.lo[0], next.hi[0]), Interval(next.lo[1], next.hi[1])};
         return p;
