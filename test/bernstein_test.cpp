@@ -879,6 +879,8 @@ void check_scaled_operations(Random& random, Samples& samples)
   samples.expect(same(cut.first, expected.first) && same(cut.second, expected.second), [&] { return say("cut at " + show(s)); });
   const Point<D> at = random_point<D>(random);
   samples.expect(locus::evaluate(fs, at) == plain_value(f, at), [&] { return say("value"); });
+  if constexpr (D == 1)
+    samples.expect(locus::sign_at(fs, at[0]) == locus::sign_of(plain_value(f, at)), [&] { return say("sign at " + show(at[0])); });
   if constexpr (D > 1) {
     for (const bool side : {false, true})
       samples.expect(same(locus::face(fs, p.variable, side), locus::face(f, p.variable, side)), [&] { return say("face"); });

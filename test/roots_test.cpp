@@ -572,6 +572,30 @@ TEST_CASE("roots are isolated on intervals that are not dyadic", "[roots]")
   CHECK(fates.filtered > 20);
 }
 
+TEST_CASE("whether a root lies in a closed interval is decided exactly, ends included", "[roots]")
+{
+  Random random(85);
+  Samples samples;
+  std::size_t yes = 0, no = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Rational> roots;
+    for (int k = random.between(0, 4); k > 0; --k) roots.push_back(random.chance(30) ? random.rational() : random.unit_rational());
+    Polynomial f = with_roots(roots, Rational(random.between(1, 9)));
+    if (random.chance(30)) f = times(f, {Rational(-1, 2), Rational(0), Rational(1)}); // with ±1/√2
+    const auto an_end = [&] { return !roots.empty() && random.chance(40) ? roots[static_cast<std::size_t>(random.below(static_cast<int>(roots.size())))] : random.rational(); };
+    Rational lo = an_end(), hi = random.chance(15) ? lo : an_end();
+    if (random.chance(20)) hi = Rational(lo + two_to(-random.between(20, 200)));
+    if (random.chance(20)) lo = Rational(hi - two_to(-random.between(20, 200)));
+    if (lo > hi) std::swap(lo, hi);
+    const bool expected = f.size() > 1 && Sturm(f).closed(lo, hi) > 0;
+    samples.expect(locus::has_root_within(with_integers(f), lo, hi) == expected, [&] { return show(f) + " in [" + show(lo) + ", " + show(hi) + "]"; });
+    (expected ? yes : no)++;
+  }
+  LOCUS_REQUIRE_SAMPLES(samples, 300);
+  CHECK(yes > 50);
+  CHECK(no > 50);
+}
+
 // ------------------------------------------------------------------------------------------------ values and signs
 
 TEST_CASE("a polynomial's filtered value keeps within its error, and its sign is the exact one", "[roots]")
