@@ -12,9 +12,9 @@
 
 using namespace locus_test;
 using locus::Bounded;
+using locus::exact_rational;
 using locus::Interval;
 using locus::Scaled_integer;
-using locus::exact_rational;
 using locus::with_upward_rounding;
 
 namespace {
@@ -68,7 +68,9 @@ std::string show_form(const Bernstein<Rational, D>& f)
 }
 
 template <int D>
-constexpr int highest_degree = D == 1 ? 8 : D == 2 ? 4 : 3;
+constexpr int highest_degree = D == 1   ? 8
+                               : D == 2 ? 4
+                                        : 3;
 
 } // namespace
 
@@ -116,18 +118,20 @@ TEST_CASE("binomials agree with Pascal's rule and with GMP", "[bernstein]")
       samples.expect(locus::binomial<Integer>(n, k) == exact, [&] { return show(n) + " over " + show(k); });
       samples.expect(locus::binomial<Rational>(n, k) == exact, [&] { return show(n) + " over " + show(k); });
       if (n > 0 && k > 0 && k < n)
-        samples.expect(locus::binomial<Integer>(n, k) == locus::binomial<Integer>(n - 1, k - 1) + locus::binomial<Integer>(n - 1, k),
+        samples.expect(locus::binomial<Integer>(n, k) ==
+                         locus::binomial<Integer>(n - 1, k - 1) + locus::binomial<Integer>(n - 1, k),
                        [&] { return "Pascal, " + show(n) + " over " + show(k); });
       const Rational error = abs(Rational(exact_rational(locus::binomial<double>(n, k)) - exact));
-      samples.expect(n <= 56 ? error == 0 : error <= exact * two_to(-52), [&] { return "double, " + show(n) + " over " + show(k); });
+      samples.expect(n <= 56 ? error == 0 : error <= exact * two_to(-52),
+                     [&] { return "double, " + show(n) + " over " + show(k); });
       double lo = 0, hi = 0;
       with_upward_rounding([&] {
         const Interval b = locus::binomial<Interval>(n, k);
         lo = b.inf();
         hi = b.sup();
       });
-      samples.expect(exact_rational(lo) <= exact && exact <= exact_rational(hi) && (lo == hi) == (exact_rational(lo) == exact) &&
-                       hi <= std::nextafter(lo, infinity),
+      samples.expect(exact_rational(lo) <= exact && exact <= exact_rational(hi) &&
+                       (lo == hi) == (exact_rational(lo) == exact) && hi <= std::nextafter(lo, infinity),
                      [&] { return "interval, " + show(n) + " over " + show(k); });
     }
   LOCUS_REQUIRE_SAMPLES(samples, 15000);
@@ -147,7 +151,10 @@ void check_exact_operations(Random& random, Samples& samples)
   const auto vv = static_cast<std::size_t>(v);
   const Rational fp = plain_value(f, p), gp = plain_value(g, p);
   const auto expect = [&](const char* what, bool ok) {
-    samples.expect(ok, [&] { return std::string(what) + ", variable " + show(v) + " at " + show(p) + "\nf: " + show_form(f) + "\ng: " + show_form(g); });
+    samples.expect(ok, [&] {
+      return std::string(what) + ", variable " + show(v) + " at " + show(p) + "\nf: " + show_form(f) +
+             "\ng: " + show_form(g);
+    });
   };
 
   expect("evaluate", locus::evaluate(f, p) == fp);
@@ -212,7 +219,8 @@ void check_exact_operations(Random& random, Samples& samples)
   std::size_t at = 0;
   do {
     Rational term = scaled[at++];
-    for (std::size_t k = 0; k < p.size(); ++k) term *= power(p[k], index[k]) * power(Rational(1 - p[k]), df[k] - index[k]);
+    for (std::size_t k = 0; k < p.size(); ++k)
+      term *= power(p[k], index[k]) * power(Rational(1 - p[k]), df[k] - index[k]);
     in_scaled_basis += term;
   } while (locus::advance_index(index, df));
   expect("scaled basis", in_scaled_basis == fp);
@@ -226,14 +234,18 @@ void check_division(Random& random, Samples& samples)
   auto dg = random.degrees<D>(0, D == 1 ? 5 : 2);
   const auto f = random.polynomial<D>(df);
   auto g = random.polynomial<D>(dg);
-  for (std::size_t i = 0, zeros = random.chance(40) ? static_cast<std::size_t>(random.below(static_cast<int>(g.size()))) : 0; i < zeros; ++i)
+  for (std::size_t i = 0,
+                   zeros = random.chance(40) ? static_cast<std::size_t>(random.below(static_cast<int>(g.size()))) : 0;
+       i < zeros; ++i)
     g[i] = 0; // vanishing at the first corners: the division must start later
-  if (std::all_of(g.coefficients().begin(), g.coefficients().end(), [](const Rational& c) { return c == 0; })) g[g.size() - 1] = 1;
+  if (std::all_of(g.coefficients().begin(), g.coefficients().end(), [](const Rational& c) { return c == 0; }))
+    g[g.size() - 1] = 1;
   auto product = locus::multiply(f, g);
   const auto describe = [&] { return "f: " + show_form(f) + "\ng: " + show_form(g); };
   samples.expect(locus::divide_exactly(product, g).coefficients() == f.coefficients(), describe);
   const bool constant = g.size() == 1;
-  product[static_cast<std::size_t>(random.below(static_cast<int>(product.size())))] += random.chance(50) ? Rational(1) : two_to(-200);
+  product[static_cast<std::size_t>(random.below(static_cast<int>(product.size())))] +=
+    random.chance(50) ? Rational(1) : two_to(-200);
   // The moved product minus the product is one basis function, which only constants and products of u and 1-u divide.
   bool g_is_monomial = false;
   {
@@ -242,11 +254,14 @@ void check_division(Random& random, Samples& samples)
     g_is_monomial = terms == 1;
   }
   if (!constant && !g_is_monomial)
-    samples.expect(thrown<std::domain_error>([&] { locus::divide_exactly(product, g); }) == 1, [&] { return "did not throw; " + describe(); });
+    samples.expect(thrown<std::domain_error>([&] { locus::divide_exactly(product, g); }) == 1,
+                   [&] { return "did not throw; " + describe(); });
   Bernstein<Rational, D> zero(dg);
-  samples.expect(thrown<std::domain_error>([&] { locus::divide_exactly(product, zero); }) == 1, [&] { return "division by zero; " + describe(); });
+  samples.expect(thrown<std::domain_error>([&] { locus::divide_exactly(product, zero); }) == 1,
+                 [&] { return "division by zero; " + describe(); });
   const auto too_high = locus::elevate(product, random.below(D), 1);
-  samples.expect(thrown<std::domain_error>([&] { locus::divide_exactly(product, too_high); }) == 1, [&] { return "higher degree; " + describe(); });
+  samples.expect(thrown<std::domain_error>([&] { locus::divide_exactly(product, too_high); }) == 1,
+                 [&] { return "higher degree; " + describe(); });
 }
 
 template <int D, int E>
@@ -259,7 +274,8 @@ void check_substitution(Random& random, Samples& samples)
   const Point<E> p = random_point<E>(random);
   Point<D> image;
   for (std::size_t k = 0; k < image.size(); ++k) image[k] = plain_value(g[k], p);
-  samples.expect(plain_value(composed, p) == plain_value(f, image), [&] { return "f: " + show_form(f) + "\nat " + show(p); });
+  samples.expect(plain_value(composed, p) == plain_value(f, image),
+                 [&] { return "f: " + show_form(f) + "\nat " + show(p); });
 }
 
 } // namespace
@@ -324,7 +340,9 @@ TEST_CASE("transposing swaps the variables", "[bernstein][exact]")
     const auto f = random.polynomial<2>(random.degrees<2>(0, 5));
     const auto t = locus::transpose(f);
     const Point<2> p = random_point<2>(random);
-    samples.expect(t.degree(0) == f.degree(1) && t.degree(1) == f.degree(0) && plain_value(t, {p[1], p[0]}) == plain_value(f, p), [&] { return show_form(f); });
+    samples.expect(t.degree(0) == f.degree(1) && t.degree(1) == f.degree(0) &&
+                     plain_value(t, {p[1], p[0]}) == plain_value(f, p),
+                   [&] { return show_form(f); });
     samples.expect(locus::transpose(t).coefficients() == f.coefficients(), [&] { return show_form(f); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 80);
@@ -335,9 +353,11 @@ TEST_CASE("transposing swaps the variables", "[bernstein][exact]")
 namespace {
 
 enum class Operation { sum, difference, product, derivative, elevation, low_part, high_part, restriction };
-constexpr std::array<Operation, 8> operations{Operation::sum,       Operation::difference, Operation::product,   Operation::derivative,
-                                              Operation::elevation, Operation::low_part,   Operation::high_part, Operation::restriction};
-constexpr std::array<const char*, 8> operation_names{"sum", "difference", "product", "derivative", "elevation", "low part", "high part", "restriction"};
+constexpr std::array<Operation, 8> operations{Operation::sum,        Operation::difference, Operation::product,
+                                              Operation::derivative, Operation::elevation,  Operation::low_part,
+                                              Operation::high_part,  Operation::restriction};
+constexpr std::array<const char*, 8> operation_names{"sum",       "difference", "product",   "derivative",
+                                                     "elevation", "low part",   "high part", "restriction"};
 
 /// What the operations need besides their operands; doubles, so that every type takes them exactly.
 struct Parameters {
@@ -351,10 +371,17 @@ Parameters random_parameters(Random& random, int dimension)
   p.variable = random.below(dimension);
   p.by = random.below(4);
   switch (random.below(5)) {
-  case 0: p.at = 0.5; break;
-  case 1: p.at = static_cast<double>(random.below(17)) / 16; break;
-  case 2: p.at = 3 * random.symmetric(); break; // outside: an extrapolation
-  default: p.at = random.unit();
+  case 0:
+    p.at = 0.5;
+    break;
+  case 1:
+    p.at = static_cast<double>(random.below(17)) / 16;
+    break;
+  case 2:
+    p.at = 3 * random.symmetric();
+    break; // outside: an extrapolation
+  default:
+    p.at = random.unit();
   }
   p.lo = random.chance(25) ? 2 * random.symmetric() : random.chance(30) ? 0.0 : random.unit();
   p.hi = random.chance(25) ? 2 * random.symmetric() : random.chance(30) ? 1.0 : random.unit();
@@ -372,19 +399,28 @@ auto parameter(double x)
 }
 
 template <class T, int D>
-[[gnu::noinline]] Bernstein<T, D> apply(Operation operation, const Bernstein<T, D>& f, const Bernstein<T, D>& g, const Parameters& p)
+[[gnu::noinline]] Bernstein<T, D> apply(Operation operation, const Bernstein<T, D>& f, const Bernstein<T, D>& g,
+                                        const Parameters& p)
 {
   switch (operation) {
-  case Operation::sum: return locus::add(f, g);
+  case Operation::sum:
+    return locus::add(f, g);
   case Operation::difference:
-    if constexpr (std::is_same_v<T, Bounded> || std::is_same_v<T, Scaled_integer>) return locus::add(f, g); // they have none
+    if constexpr (std::is_same_v<T, Bounded> || std::is_same_v<T, Scaled_integer>)
+      return locus::add(f, g); // they have none
     else return locus::subtract(f, g);
-  case Operation::product: return locus::multiply(f, g);
-  case Operation::derivative: return locus::derivative(f, p.variable);
-  case Operation::elevation: return locus::elevate(f, p.variable, p.by);
-  case Operation::low_part: return locus::split(f, p.variable, parameter<T>(p.at)).first;
-  case Operation::high_part: return locus::split(f, p.variable, parameter<T>(p.at)).second;
-  default: return locus::restrict_to(f, p.variable, parameter<T>(p.lo), parameter<T>(p.hi));
+  case Operation::product:
+    return locus::multiply(f, g);
+  case Operation::derivative:
+    return locus::derivative(f, p.variable);
+  case Operation::elevation:
+    return locus::elevate(f, p.variable, p.by);
+  case Operation::low_part:
+    return locus::split(f, p.variable, parameter<T>(p.at)).first;
+  case Operation::high_part:
+    return locus::split(f, p.variable, parameter<T>(p.at)).second;
+  default:
+    return locus::restrict_to(f, p.variable, parameter<T>(p.lo), parameter<T>(p.hi));
   }
 }
 
@@ -403,12 +439,17 @@ double amplified(Operation operation, const Parameters& p, int n, double nf, dou
 {
   switch (operation) {
   case Operation::sum:
-  case Operation::difference: return ef + eg;
-  case Operation::product: return ef * (ng + eg) + (nf + ef) * eg;
-  case Operation::derivative: return 2 * n * ef;
-  case Operation::elevation: return ef;
+  case Operation::difference:
+    return ef + eg;
+  case Operation::product:
+    return ef * (ng + eg) + (nf + ef) * eg;
+  case Operation::derivative:
+    return 2 * n * ef;
+  case Operation::elevation:
+    return ef;
   case Operation::low_part:
-  case Operation::high_part: return ef * growth_at(p.at, n);
+  case Operation::high_part:
+    return ef * growth_at(p.at, n);
   default: { // the second cut is rounded itself
     const double first = p.lo <= 0.5 ? p.lo : p.hi, second = p.lo <= 0.5 ? (p.hi - p.lo) / (1 - p.lo) : p.lo / p.hi;
     return ef * growth_at(first, n) * growth_at(second, n) * (1 + std::abs(second));
@@ -418,8 +459,8 @@ double amplified(Operation operation, const Parameters& p, int n, double nf, dou
 
 std::string describe(Operation operation, const Parameters& p)
 {
-  return std::string(operation_names[static_cast<std::size_t>(operation)]) + " of variable " + show(p.variable) + ", by " + show(p.by) + ", at " +
-         show(p.at) + ", to [" + show(p.lo) + ", " + show(p.hi) + "]";
+  return std::string(operation_names[static_cast<std::size_t>(operation)]) + " of variable " + show(p.variable) +
+         ", by " + show(p.by) + ", at " + show(p.at) + ", to [" + show(p.lo) + ", " + show(p.hi) + "]";
 }
 
 template <int D>
@@ -458,20 +499,23 @@ void check_approximate_operations(Random& random, Samples& samples)
     const auto exact = apply(operation, f, g, p);
     // 2^-52 for each rounding along the longest chain of operations.
     const double roundings = 16.0 * (total + 4) * (static_cast<double>(f.size()) + 4);
-    const double tolerance = amplified(operation, p, n, nf, ng, nf * roundings * 0x1p-52, ng * roundings * 0x1p-52) + 1e-300;
+    const double tolerance =
+      amplified(operation, p, n, nf, ng, nf * roundings * 0x1p-52, ng * roundings * 0x1p-52) + 1e-300;
     const auto say = [&] { return describe(operation, p) + "\nf: " + show_form(f) + "\ng: " + show_form(g); };
 
     if (!from_rationals) {
       const auto result = apply(operation, fd, gd, p);
       bool close = result.degrees() == exact.degrees();
-      for (std::size_t i = 0; close && i < exact.size(); ++i) close = abs(Rational(exact_rational(result[i]) - exact[i])) <= exact_rational(tolerance);
+      for (std::size_t i = 0; close && i < exact.size(); ++i)
+        close = abs(Rational(exact_rational(result[i]) - exact[i])) <= exact_rational(tolerance);
       samples.expect(close, [&] { return "doubles: " + say(); });
     }
 
     std::vector<double> lo, hi;
     with_upward_rounding([&] {
       const auto enclose = [](const Rational& c) { return locus::enclosing(c); };
-      const auto result = apply(operation, locus::converted<Interval>(f, enclose), locus::converted<Interval>(g, enclose), p);
+      const auto result =
+        apply(operation, locus::converted<Interval>(f, enclose), locus::converted<Interval>(g, enclose), p);
       for (const Interval& c : result.coefficients()) {
         lo.push_back(c.inf());
         hi.push_back(c.sup());
@@ -489,16 +533,19 @@ void check_approximate_operations(Random& random, Samples& samples)
   // Values.
   std::array<double, static_cast<std::size_t>(D)> u{};
   Point<D> at;
-  for (std::size_t k = 0; k < u.size(); ++k) at[k] = exact_rational(u[k] = random.chance(20) ? random.below(3) * 0.5 : random.unit());
+  for (std::size_t k = 0; k < u.size(); ++k)
+    at[k] = exact_rational(u[k] = random.chance(20) ? random.below(3) * 0.5 : random.unit());
   const Rational value = plain_value(f, at);
   double lo = 0, hi = 0;
   with_upward_rounding([&] {
-    const Interval v = locus::evaluate(locus::converted<Interval>(f, [](const Rational& c) { return locus::enclosing(c); }), u);
+    const Interval v =
+      locus::evaluate(locus::converted<Interval>(f, [](const Rational& c) { return locus::enclosing(c); }), u);
     lo = v.inf();
     hi = v.sup();
   });
   const double tolerance = 64 * nf * (total + 2) * 0x1p-52;
-  samples.expect(exact_rational(lo) <= value && value <= exact_rational(hi), [&] { return "interval value at " + show(at) + " of " + show_form(f); });
+  samples.expect(exact_rational(lo) <= value && value <= exact_rational(hi),
+                 [&] { return "interval value at " + show(at) + " of " + show_form(f); });
   samples.expect(hi - lo <= tolerance, [&] { return "width of the value at " + show(at) + " of " + show_form(f); });
   if (!from_rationals)
     samples.expect(abs(Rational(exact_rational(locus::evaluate(fd, u)) - value)) <= exact_rational(tolerance),
@@ -523,7 +570,8 @@ TEST_CASE("interval substitution and change of basis contain the exact ones", "[
   Samples samples;
   for (int i = 0; i < 40; ++i) {
     const auto f = random.polynomial<2>(random.degrees<2>(0, 3));
-    const std::array<Bernstein<Rational, 1>, 2> g{random.polynomial<1>(random.degrees<1>(0, 3)), random.polynomial<1>(random.degrees<1>(0, 3))};
+    const std::array<Bernstein<Rational, 1>, 2> g{random.polynomial<1>(random.degrees<1>(0, 3)),
+                                                  random.polynomial<1>(random.degrees<1>(0, 3))};
     const auto exact = locus::substitute(f, g);
     const auto exact_monomial = locus::to_monomial(exact);
     const auto exact_back = locus::from_monomial(exact_monomial);
@@ -534,7 +582,8 @@ TEST_CASE("interval substitution and change of basis contain the exact ones", "[
         return !std::isnan(x.inf()) && !std::isnan(x.sup()) && (std::isinf(x.inf()) || exact_rational(x.inf()) <= y) &&
                (std::isinf(x.sup()) || y <= exact_rational(x.sup()));
       };
-      const std::array<Bernstein<Interval, 1>, 2> inner{locus::converted<Interval>(g[0], enclose), locus::converted<Interval>(g[1], enclose)};
+      const std::array<Bernstein<Interval, 1>, 2> inner{locus::converted<Interval>(g[0], enclose),
+                                                        locus::converted<Interval>(g[1], enclose)};
       const auto result = locus::substitute(locus::converted<Interval>(f, enclose), inner);
       const auto in_monomials = locus::to_monomial(result);
       const auto again = locus::from_monomial(in_monomials);
@@ -571,15 +620,24 @@ Bounded_sample<D> random_bounded(Random& random, const Degrees<D>& degrees, Rand
   for (double c : values.coefficients()) norm = std::max(norm, std::abs(c));
   double error = 0;
   switch (random.below(4)) {
-  case 0: break;
-  case 1: error = norm * random.unit() * 0x1p-48; break;
-  case 2: error = norm * random.unit() * 4; break; // an error that hides the values
-  default: error = random.between(1, 5) * std::numeric_limits<double>::denorm_min();
+  case 0:
+    break;
+  case 1:
+    error = norm * random.unit() * 0x1p-48;
+    break;
+  case 2:
+    error = norm * random.unit() * 4;
+    break; // an error that hides the values
+  default:
+    error = random.between(1, 5) * std::numeric_limits<double>::denorm_min();
   }
   Bernstein<Rational, D> truth = exactly(values);
   const int shift = random.below(4);
   for (std::size_t i = 0; i < truth.size(); ++i)
-    truth[i] += exact_rational(error) * (shift == 0 ? Rational(1) : shift == 1 ? Rational(-1) : shift == 2 ? Rational(random.between(-1, 1)) : Rational(exact_rational(random.symmetric())));
+    truth[i] += exact_rational(error) * (shift == 0   ? Rational(1)
+                                         : shift == 1 ? Rational(-1)
+                                         : shift == 2 ? Rational(random.between(-1, 1))
+                                                      : Rational(exact_rational(random.symmetric())));
   return {Bernstein<Bounded, D>(values, error), std::move(truth)};
 }
 
@@ -602,7 +660,8 @@ bool covers(const Bernstein<Bounded, D>& form, const Bernstein<Rational, D>& tru
 template <int D>
 std::string show_sample(const Bounded_sample<D>& f)
 {
-  return "degrees " + show(f.form.degrees()) + ", values " + show(f.form.values().coefficients()) + ", error " + show(f.form.error());
+  return "degrees " + show(f.form.degrees()) + ", values " + show(f.form.values().coefficients()) + ", error " +
+         show(f.form.error());
 }
 
 template <int D>
@@ -611,27 +670,35 @@ void check_bounded_operations(Random& random, Samples& samples, int mode)
   const auto df = random.degrees<D>(0, highest_degree<D>), dg = random.degrees<D>(0, highest_degree<D>);
   const auto size = random.size();
   const auto f = random_bounded<D>(random, df, size);
-  const auto g = random_bounded<D>(random, dg, random.chance(50) ? size : random.chance(50) ? Random::Size::tiny : Random::Size::plain);
+  const auto g = random_bounded<D>(random, dg,
+                                   random.chance(50)   ? size
+                                   : random.chance(50) ? Random::Size::tiny
+                                                       : Random::Size::plain);
   const Parameters p = random_parameters(random, D);
   const int n = df[static_cast<std::size_t>(p.variable)];
   const double nf = greatest_coefficient(exactly(f.form.values())), ng = greatest_coefficient(exactly(g.form.values()));
   int total = 0;
   for (std::size_t k = 0; k < df.size(); ++k) total += df[k] + dg[k];
   const double roundings = (10.0 * (total + 4) + static_cast<double>(f.form.size())) * 0x1p-52;
-  const auto say = [&](const std::string& what) { return what + ", rounding " + mode_name(mode) + "\nf: " + show_sample(f) + "\ng: " + show_sample(g); };
+  const auto say = [&](const std::string& what) {
+    return what + ", rounding " + mode_name(mode) + "\nf: " + show_sample(f) + "\ng: " + show_sample(g);
+  };
 
   for (const Operation operation : operations) {
     if (operation == Operation::difference) continue;
     const auto truth = apply(operation, f.truth, g.truth, p);
     Bernstein<Bounded, D> result;
     in_mode(mode, [&] { result = apply(operation, f.form, g.form, p); });
-    samples.expect(covers(result, truth), [&] { return say(describe(operation, p)) + "\nerror " + show(result.error()); });
+    samples.expect(covers(result, truth),
+                   [&] { return say(describe(operation, p)) + "\nerror " + show(result.error()); });
     // Not just a bound but a good one: what was inherited, and some dozens of roundings. (Near overflow there is none.)
     const double ef = f.form.error(), eg = g.form.error();
     const double good = 1.01 * amplified(operation, p, n, nf, ng, ef + 1e-321, eg + 1e-321) +
                         amplified(operation, p, n, nf + ef, ng + eg, (nf + ef) * roundings, (ng + eg) * roundings) +
                         amplified(operation, p, n, 1, 1, 1e-320, 1e-320) + 1e-320;
-    samples.expect(result.error() <= good || good > 0x1p850, [&] { return say(describe(operation, p)) + "\nerror " + show(result.error()) + " above " + show(good); });
+    samples.expect(result.error() <= good || good > 0x1p850, [&] {
+      return say(describe(operation, p)) + "\nerror " + show(result.error()) + " above " + show(good);
+    });
   }
 
   double norm = 0;
@@ -643,19 +710,24 @@ void check_bounded_operations(Random& random, Samples& samples, int mode)
 
   if constexpr (D > 1) {
     for (const bool side : {false, true})
-      samples.expect(covers(locus::face(f.form, p.variable, side), locus::face(f.truth, p.variable, side)), [&] { return say("face"); });
+      samples.expect(covers(locus::face(f.form, p.variable, side), locus::face(f.truth, p.variable, side)),
+                     [&] { return say("face"); });
   }
 
   std::array<double, static_cast<std::size_t>(D)> u{};
   Point<D> at;
   const bool outside = random.chance(25);
   for (std::size_t k = 0; k < u.size(); ++k)
-    at[k] = exact_rational(u[k] = outside ? 6 * random.symmetric() : random.chance(25) ? random.below(3) * 0.5 : random.unit());
+    at[k] = exact_rational(u[k] = outside             ? 6 * random.symmetric()
+                                  : random.chance(25) ? random.below(3) * 0.5
+                                                      : random.unit());
   Bounded value;
   in_mode(mode, [&] { value = locus::evaluate(f.form, u); });
-  samples.expect(covers(value.value, value.error, plain_value(f.truth, at)), [&] { return say("value at " + show(at)) + "\n" + show(value.value) + " with " + show(value.error); });
+  samples.expect(covers(value.value, value.error, plain_value(f.truth, at)),
+                 [&] { return say("value at " + show(at)) + "\n" + show(value.value) + " with " + show(value.error); });
   if (!outside)
-    samples.expect(value.error <= 1.01 * f.form.error() + (nf + f.form.error()) * roundings + 1e-320, [&] { return say("error of the value at " + show(at)); });
+    samples.expect(value.error <= 1.01 * f.form.error() + (nf + f.form.error()) * roundings + 1e-320,
+                   [&] { return say("error of the value at " + show(at)); });
 }
 
 } // namespace
@@ -678,7 +750,8 @@ TEST_CASE("the bounds hold at high degrees too, where binomials are rounded", "[
   Samples samples;
   for (const int mode : {FE_TONEAREST, FE_UPWARD})
     for (int i = 0; i < 6; ++i) {
-      const auto f = random_bounded<1>(random, {random.between(25, 40)}, Random::Size::plain), g = random_bounded<1>(random, {random.between(25, 40)}, Random::Size::plain);
+      const auto f = random_bounded<1>(random, {random.between(25, 40)}, Random::Size::plain),
+                 g = random_bounded<1>(random, {random.between(25, 40)}, Random::Size::plain);
       const auto truth = locus::multiply(f.truth, g.truth);
       Bernstein<Bounded, 1> product;
       in_mode(mode, [&] { product = locus::multiply(f.form, g.form); });
@@ -693,7 +766,8 @@ TEST_CASE("where doubles overflow, the bound makes no false claim", "[bernstein]
   Samples samples;
   for (const int mode : rounding_modes)
     for (int i = 0; i < 200; ++i) {
-      Bounded_sample<1> f = random_bounded<1>(random, {random.between(1, 5)}, Random::Size::plain), g = random_bounded<1>(random, {random.between(1, 5)}, Random::Size::plain);
+      Bounded_sample<1> f = random_bounded<1>(random, {random.between(1, 5)}, Random::Size::plain),
+                        g = random_bounded<1>(random, {random.between(1, 5)}, Random::Size::plain);
       const double scale = random.chance(50) ? 0x1p1023 : 0x1p511;
       const auto enlarged = [&](const Bounded_sample<1>& s) {
         auto values = s.form.values();
@@ -709,8 +783,9 @@ TEST_CASE("where doubles overflow, the bound makes no false claim", "[bernstein]
         Bernstein<Bounded, 1> result;
         in_mode(mode, [&] { result = apply(operation, f.form, g.form, p); });
         samples.expect(covers(result, truth), [&] {
-          return describe(operation, p) + ", rounding " + mode_name(mode) + "\nf: " + show_sample(f) + "\ng: " + show_sample(g) + "\nresult " +
-                 show(result.values().coefficients()) + ", error " + show(result.error());
+          return describe(operation, p) + ", rounding " + mode_name(mode) + "\nf: " + show_sample(f) +
+                 "\ng: " + show_sample(g) + "\nresult " + show(result.values().coefficients()) + ", error " +
+                 show(result.error());
         });
       }
     }
@@ -739,7 +814,8 @@ TEST_CASE("bounded forms and interval forms enclose each other", "[bernstein][bo
     const double norm = greatest_coefficient(f);
     samples.expect(covers(form, f), [&] { return show_form(f); });
     samples.expect(back, [&] { return show_form(f); });
-    samples.expect(error <= norm * 0x1p-49 && form.error() <= norm * 0x1p-51, [&] { return "width " + show(error) + ": " + show_form(f); });
+    samples.expect(error <= norm * 0x1p-49 && form.error() <= norm * 0x1p-51,
+                   [&] { return "width " + show(error) + ": " + show_form(f); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 900);
 }
@@ -750,20 +826,26 @@ TEST_CASE("bounded substitution covers the exact one", "[bernstein][bounded]")
   Samples samples;
   for (int i = 0; i < 60; ++i) {
     const auto f = random_bounded<2>(random, random.degrees<2>(0, 3), Random::Size::plain);
-    const std::array<Bounded_sample<1>, 2> g{random_bounded<1>(random, random.degrees<1>(0, 2), Random::Size::plain),
-                                             random_bounded<1>(random, random.degrees<1>(0, 2), Random::Size::integers)};
+    const std::array<Bounded_sample<1>, 2> g{
+      random_bounded<1>(random, random.degrees<1>(0, 2), Random::Size::plain),
+      random_bounded<1>(random, random.degrees<1>(0, 2), Random::Size::integers)};
     const auto truth = locus::substitute(f.truth, std::array<Bernstein<Rational, 1>, 2>{g[0].truth, g[1].truth});
     Bernstein<Bounded, 1> result;
-    with_upward_rounding([&] { result = locus::substitute(f.form, std::array<Bernstein<Bounded, 1>, 2>{g[0].form, g[1].form}); });
-    samples.expect(covers(result, truth), [&] { return show_sample(f) + "\n" + show_sample(g[0]) + "\n" + show_sample(g[1]); });
+    with_upward_rounding([&] {
+      result = locus::substitute(f.form, std::array<Bernstein<Bounded, 1>, 2>{g[0].form, g[1].form});
+    });
+    samples.expect(covers(result, truth),
+                   [&] { return show_sample(f) + "\n" + show_sample(g[0]) + "\n" + show_sample(g[1]); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 60);
 }
 
-TEST_CASE("an unbounded coefficient leaves every sign of a bounded form unknown or true", "[bernstein][bounded][overflow]")
+TEST_CASE("an unbounded coefficient leaves every sign of a bounded form unknown or true",
+          "[bernstein][bounded][overflow]")
 {
   Samples samples;
-  for (const auto& ends : std::vector<std::pair<double, double>>{{-infinity, infinity}, {-1, infinity}, {-infinity, 1}, {2, infinity}, {-infinity, -2}})
+  for (const auto& ends : std::vector<std::pair<double, double>>{
+         {-infinity, infinity}, {-1, infinity}, {-infinity, 1}, {2, infinity}, {-infinity, -2}})
     for (std::size_t at = 0; at < 3; ++at) {
       const double a = ends.first, b = ends.second;
       Bernstein<Bounded, 1> f;
@@ -772,7 +854,10 @@ TEST_CASE("an unbounded coefficient leaves every sign of a bounded form unknown 
         intervals[at] = Interval(a, b);
         f = locus::bounded(intervals);
       });
-      const auto describe = [&] { return "coefficient " + show(static_cast<int>(at)) + " in [" + show(a) + ", " + show(b) + "]: value " + show(f[at].value) + ", error " + show(f.error()); };
+      const auto describe = [&] {
+        return "coefficient " + show(static_cast<int>(at)) + " in [" + show(a) + ", " + show(b) + "]: value " +
+               show(f[at].value) + ", error " + show(f.error());
+      };
       const Sign s = locus::sign_of(f[at]);
       samples.expect(s == Sign::unknown || (s == Sign::positive && a > 0) || (s == Sign::negative && b < 0), describe);
       // The array has one bound for all: a finite one would vouch for every coefficient, in sorting and maxima too.
@@ -793,7 +878,9 @@ TEST_CASE("Horner's rule keeps to its stated number of roundings", "[bernstein][
       const auto f = random_reals<1>(random, {n}, size);
       std::vector<double> spread((f.size() - 1) * stride + 1, 7.0);
       for (std::size_t k = 0; k < f.size(); ++k) spread[k * stride] = f[k];
-      const double u = random.chance(20) ? random.below(5) * 0.25 : random.chance(10) ? std::ldexp(random.unit(), -1060) : random.unit();
+      const double u = random.chance(20)   ? random.below(5) * 0.25
+                       : random.chance(10) ? std::ldexp(random.unit(), -1060)
+                                           : random.unit();
       double value = 0, error = 0;
       in_mode(mode, [&] {
         double norm = 0;
@@ -802,7 +889,8 @@ TEST_CASE("Horner's rule keeps to its stated number of roundings", "[bernstein][
         error = locus::detail::accumulated_error(0, locus::detail::horner_operations(n), norm);
       });
       samples.expect(covers(value, error, plain_value(exactly(f), {exact_rational(u)})), [&] {
-        return show(value) + " with " + show(error) + " at " + show(u) + ", rounding " + mode_name(mode) + ", of " + show(f.coefficients());
+        return show(value) + " with " + show(error) + " at " + show(u) + ", rounding " + mode_name(mode) + ", of " +
+               show(f.coefficients());
       });
     }
   LOCUS_REQUIRE_SAMPLES(samples, 600);
@@ -816,7 +904,11 @@ TEST_CASE("the tensor product's weighted sum keeps to its stated number of round
     for (int i = 0; i < 60; ++i) {
       const int n = random.chance(4) ? 66 : random.below(8), m = random.chance(4) ? 65 : random.below(8);
       const auto f = random_reals<2>(random, {n, m}, random.size());
-      const auto coordinate = [&] { return random.chance(25) ? random.below(3) * 0.5 : random.chance(10) ? std::ldexp(random.unit(), -1060) : random.unit(); };
+      const auto coordinate = [&] {
+        return random.chance(25)   ? random.below(3) * 0.5
+               : random.chance(10) ? std::ldexp(random.unit(), -1060)
+                                   : random.unit();
+      };
       const double u = coordinate(), v = coordinate();
       double value = 0, error = 0;
       in_mode(mode, [&] {
@@ -826,8 +918,8 @@ TEST_CASE("the tensor product's weighted sum keeps to its stated number of round
         error = locus::detail::accumulated_error(0, 6.0 * (n + m) + 8, norm);
       });
       samples.expect(covers(value, error, plain_value(exactly(f), {exact_rational(u), exact_rational(v)})), [&] {
-        return show(value) + " with " + show(error) + " at " + show(u) + ", " + show(v) + ", rounding " + mode_name(mode) + ", degrees " + show(f.degrees()) +
-               ", of " + show(f.coefficients());
+        return show(value) + " with " + show(error) + " at " + show(u) + ", " + show(v) + ", rounding " +
+               mode_name(mode) + ", degrees " + show(f.degrees()) + ", of " + show(f.coefficients());
       });
     }
   LOCUS_REQUIRE_SAMPLES(samples, 240);
@@ -864,7 +956,8 @@ void check_scaled_operations(Random& random, Samples& samples)
   const Parameters p = random_parameters(random, D);
   const auto say = [&](const std::string& what) { return what + "\nf: " + show_form(f) + "\ng: " + show_form(g); };
   samples.expect(same(fs, f), [&] { return say("construction"); });
-  samples.expect(fs.is_zero() == (fs.sign(0) == Sign::zero && greatest_coefficient(f) == 0), [&] { return say("is_zero"); });
+  samples.expect(fs.is_zero() == (fs.sign(0) == Sign::zero && greatest_coefficient(f) == 0),
+                 [&] { return say("is_zero"); });
   for (const Operation operation : operations) {
     if (operation == Operation::difference) continue;
     const auto result = apply(operation, fs, gs, p);
@@ -876,14 +969,17 @@ void check_scaled_operations(Random& random, Samples& samples)
   const Rational s = random.rational();
   const auto cut = locus::split(fs, p.variable, s);
   const auto expected = locus::split(f, p.variable, s);
-  samples.expect(same(cut.first, expected.first) && same(cut.second, expected.second), [&] { return say("cut at " + show(s)); });
+  samples.expect(same(cut.first, expected.first) && same(cut.second, expected.second),
+                 [&] { return say("cut at " + show(s)); });
   const Point<D> at = random_point<D>(random);
   samples.expect(locus::evaluate(fs, at) == plain_value(f, at), [&] { return say("value"); });
   if constexpr (D == 1)
-    samples.expect(locus::sign_at(fs, at[0]) == locus::sign_of(plain_value(f, at)), [&] { return say("sign at " + show(at[0])); });
+    samples.expect(locus::sign_at(fs, at[0]) == locus::sign_of(plain_value(f, at)),
+                   [&] { return say("sign at " + show(at[0])); });
   if constexpr (D > 1) {
     for (const bool side : {false, true})
-      samples.expect(same(locus::face(fs, p.variable, side), locus::face(f, p.variable, side)), [&] { return say("face"); });
+      samples.expect(same(locus::face(fs, p.variable, side), locus::face(f, p.variable, side)),
+                     [&] { return say("face"); });
   }
   if (greatest_coefficient(g) > 0)
     samples.expect(same(locus::divide_exactly(locus::multiply(fs, gs), gs), f), [&] { return say("division"); });
@@ -907,9 +1003,12 @@ TEST_CASE("integers over one scale substitute as rationals do", "[bernstein][sca
   Samples samples;
   for (int i = 0; i < 30; ++i) {
     const auto f = random.polynomial<2>(random.degrees<2>(0, 3));
-    const std::array<Bernstein<Rational, 1>, 2> g{random.polynomial<1>(random.degrees<1>(0, 3)), random.polynomial<1>(random.degrees<1>(0, 3))};
-    const std::array<Bernstein<Scaled_integer, 1>, 2> gs{Bernstein<Scaled_integer, 1>(g[0]), Bernstein<Scaled_integer, 1>(g[1])};
-    samples.expect(same(locus::substitute(Bernstein<Scaled_integer, 2>(f), gs), locus::substitute(f, g)), [&] { return show_form(f); });
+    const std::array<Bernstein<Rational, 1>, 2> g{random.polynomial<1>(random.degrees<1>(0, 3)),
+                                                  random.polynomial<1>(random.degrees<1>(0, 3))};
+    const std::array<Bernstein<Scaled_integer, 1>, 2> gs{Bernstein<Scaled_integer, 1>(g[0]),
+                                                         Bernstein<Scaled_integer, 1>(g[1])};
+    samples.expect(same(locus::substitute(Bernstein<Scaled_integer, 2>(f), gs), locus::substitute(f, g)),
+                   [&] { return show_form(f); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 30);
 }
@@ -924,7 +1023,8 @@ TEST_CASE("repeated halving keeps integers as short as their values need", "[ber
   Bernstein<Scaled_integer, 1> fs(f);
   std::size_t before = 0, after = 0;
   for (const Integer& c : fs.values().coefficients()) before = std::max(before, mpz_sizeinbase(c.get_mpz_t(), 2));
-  for (int i = 0; i < steps; ++i) fs = i % 2 ? locus::split(fs, 0, Rational(1, 2)).first : locus::split(fs, 0, Rational(1, 2)).second;
+  for (int i = 0; i < steps; ++i)
+    fs = i % 2 ? locus::split(fs, 0, Rational(1, 2)).first : locus::split(fs, 0, Rational(1, 2)).second;
   for (const Integer& c : fs.values().coefficients()) after = std::max(after, mpz_sizeinbase(c.get_mpz_t(), 2));
   CHECK(after <= before + static_cast<std::size_t>(n * steps));
   Rational lo = 0, hi = 1;
@@ -973,17 +1073,20 @@ TEST_CASE("complex polynomials multiply, combine and expand as their values do",
   Random random(51);
   Samples samples;
   for (int i = 0; i < 150; ++i) {
-    const auto f = random_complex<Rational>(random, random.below(5)), g = random_complex<Rational>(random, random.below(5));
+    const auto f = random_complex<Rational>(random, random.below(5)),
+               g = random_complex<Rational>(random, random.below(5));
     const Rational u = random.unit_rational(), v = random.unit_rational();
     const Complex a = complex_value(f, u), b = complex_value(g, u), product = complex_value(locus::multiply(f, g), u);
-    const auto describe = [&] { return show(f.re) + " + i" + show(f.im) + " and " + show(g.re) + " + i" + show(g.im) + " at " + show(u); };
+    const auto describe = [&] {
+      return show(f.re) + " + i" + show(f.im) + " and " + show(g.re) + " + i" + show(g.im) + " at " + show(u);
+    };
     samples.expect(product.re == a.re * b.re - a.im * b.im && product.im == a.re * b.im + a.im * b.re, describe);
     for (const int sign : {1, -1}) {
       const Complex sum = complex_value(locus::combine(f, g, sign), u);
       samples.expect(sum.re == a.re + sign * b.re && sum.im == a.im + sign * b.im, describe);
     }
-    const Complex turned = complex_value(locus::multiply(f, Rational(2), Rational(-3)), u), mirrored = complex_value(locus::conjugate(f), u),
-                  raised = complex_value(locus::elevate(f, 3), u);
+    const Complex turned = complex_value(locus::multiply(f, Rational(2), Rational(-3)), u),
+                  mirrored = complex_value(locus::conjugate(f), u), raised = complex_value(locus::elevate(f, 3), u);
     samples.expect(turned.re == 2 * a.re + 3 * a.im && turned.im == 2 * a.im - 3 * a.re, describe);
     samples.expect(mirrored.re == a.re && mirrored.im == -a.im, describe);
     samples.expect(raised.re == a.re && raised.im == a.im, describe);
@@ -994,7 +1097,8 @@ TEST_CASE("complex polynomials multiply, combine and expand as their values do",
     sum.imaginary = integers.imaginary = random.chance(50);
     Complex total;
     for (int k = random.between(1, 3); k > 0; --k) {
-      const auto x = random_complex<Integer>(random, random.below(4)), y = random_complex<Integer>(random, random.below(4));
+      const auto x = random_complex<Integer>(random, random.below(4)),
+                 y = random_complex<Integer>(random, random.below(4));
       const auto rational = [](const locus::Complex_polynomial<Integer>& z) {
         return locus::Complex_polynomial<Rational>{{z.re.begin(), z.re.end()}, {z.im.begin(), z.im.end()}};
       };
@@ -1006,7 +1110,8 @@ TEST_CASE("complex polynomials multiply, combine and expand as their values do",
       sum.terms.emplace_back(rational(x), rational(y));
     }
     const auto expanded = locus::expand(sum);
-    samples.expect(plain_value(expanded, {u, v}) == (sum.imaginary ? total.im : total.re), [] { return std::string("expansion"); });
+    samples.expect(plain_value(expanded, {u, v}) == (sum.imaginary ? total.im : total.re),
+                   [] { return std::string("expansion"); });
     const auto up_to_factor = locus::expand(integers);
     Rational factor = 0;
     bool proportional = up_to_factor.degrees() == expanded.degrees();

@@ -7,15 +7,15 @@
 
 using namespace locus_test;
 using locus::Box;
+using locus::exact_rational;
 using locus::Filter_counts;
 using locus::Interval;
 using locus::Rung;
 using locus::Scaled_integer;
+using locus::with_upward_rounding;
 using locus::detail::Cell_tree;
 using locus::detail::Range_sign;
 using locus::detail::Range_sign_of;
-using locus::exact_rational;
-using locus::with_upward_rounding;
 
 namespace {
 
@@ -32,7 +32,9 @@ public:
   {
     ++enclosures;
     const Interval fuzz(-radius_, radius_);
-    return locus::converted<Interval>(on(box), [&](const Rational& c) { return radius_ > 0 ? Interval(locus::enclosing(c) + fuzz) : locus::enclosing(c); });
+    return locus::converted<Interval>(on(box), [&](const Rational& c) {
+      return radius_ > 0 ? Interval(locus::enclosing(c) + fuzz) : locus::enclosing(c);
+    });
   }
 
   /// The true coefficients on a box, in one step from the unit cell.
@@ -100,21 +102,29 @@ Bernstein<Rational, 2> random_equation(Random& random)
 /// The counters tell one story: each failure of a rung is one call of the next that was not left out.
 bool are_consistent(const Filter_counts& c)
 {
-  const auto bounded_failures = c.failures[0], interval_calls = c.calls[1], interval_failures = c.failures[1], exact_calls = c.calls[2];
-  return c.failures[0] <= c.calls[0] && interval_failures <= interval_calls && interval_calls <= bounded_failures && c.failures[2] == 0 &&
-         exact_calls == interval_failures + (bounded_failures - interval_calls);
+  const auto bounded_failures = c.failures[0], interval_calls = c.calls[1], interval_failures = c.failures[1],
+             exact_calls = c.calls[2];
+  return c.failures[0] <= c.calls[0] && interval_failures <= interval_calls && interval_calls <= bounded_failures &&
+         c.failures[2] == 0 && exact_calls == interval_failures + (bounded_failures - interval_calls);
 }
 
 const char* name_of(Range_sign s)
 {
   switch (s) {
-  case Range_sign::negative: return "negative";
-  case Range_sign::positive: return "positive";
-  case Range_sign::weak_negative: return "weakly negative";
-  case Range_sign::weak_positive: return "weakly positive";
-  case Range_sign::zero: return "zero";
-  case Range_sign::mixed: return "mixed";
-  default: return "unknown";
+  case Range_sign::negative:
+    return "negative";
+  case Range_sign::positive:
+    return "positive";
+  case Range_sign::weak_negative:
+    return "weakly negative";
+  case Range_sign::weak_positive:
+    return "weakly positive";
+  case Range_sign::zero:
+    return "zero";
+  case Range_sign::mixed:
+    return "mixed";
+  default:
+    return "unknown";
   }
 }
 
@@ -134,12 +144,14 @@ TEST_CASE("the collected range of signs says neither more nor less than its sign
     else if (unknown) expected = Range_sign::unknown;
     else if (positive) expected = zero ? Range_sign::weak_positive : Range_sign::positive;
     else if (negative) expected = zero ? Range_sign::weak_negative : Range_sign::negative;
-    samples.expect(range.result() == expected && range.is_mixed() == (positive && negative), [&] { return "signs of mask " + show(subset); });
+    samples.expect(range.result() == expected && range.is_mixed() == (positive && negative),
+                   [&] { return "signs of mask " + show(subset); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 16);
   CHECK(locus::detail::is_strict(Range_sign::positive));
   CHECK(locus::detail::is_strict(Range_sign::negative));
-  for (const Range_sign s : {Range_sign::weak_negative, Range_sign::weak_positive, Range_sign::zero, Range_sign::mixed, Range_sign::unknown})
+  for (const Range_sign s :
+       {Range_sign::weak_negative, Range_sign::weak_positive, Range_sign::zero, Range_sign::mixed, Range_sign::unknown})
     CHECK_FALSE(locus::detail::is_strict(s));
 }
 
@@ -162,8 +174,9 @@ TEST_CASE("on any subdivision the ladder's answers are those of exact arithmetic
         const Box<2> box = tree[cell].box;
         const auto truth = equation.on(box);
         const auto say = [&](const std::string& what) {
-          return what + " on [" + show(box.lo[0]) + ", " + show(box.hi[0]) + "] × [" + show(box.lo[1]) + ", " + show(box.hi[1]) + "], degrees " + show(f.degrees()) +
-                 ", coefficients " + show(f.coefficients()) + ", radius " + show(radius);
+          return what + " on [" + show(box.lo[0]) + ", " + show(box.hi[0]) + "] × [" + show(box.lo[1]) + ", " +
+                 show(box.hi[1]) + "], degrees " + show(f.degrees()) + ", coefficients " + show(f.coefficients()) +
+                 ", radius " + show(radius);
         };
 
         // Questions in a random order: an earlier answer may refresh the cell or make it exact.
@@ -181,17 +194,26 @@ TEST_CASE("on any subdivision the ladder's answers are those of exact arithmetic
           } else {
             const int a = random.below(2), b = random.below(2);
             const Sign sign = tree.corner_sign(cell, a, b);
-            samples.expect(sign == locus::sign_of(truth.at({a * f.degree(0), b * f.degree(1)})), [&] { return say("corner " + show(a) + show(b)); });
-            samples.expect(are_consistent(counts) && counts.calls[0] == before.calls[0] + 1, [&] { return say("counts of a corner"); });
+            samples.expect(sign == locus::sign_of(truth.at({a * f.degree(0), b * f.degree(1)})),
+                           [&] { return say("corner " + show(a) + show(b)); });
+            samples.expect(are_consistent(counts) && counts.calls[0] == before.calls[0] + 1,
+                           [&] { return say("counts of a corner"); });
             continue;
           }
           samples.expect(given == expected, [&] {
-            return say(std::string("asked for ") + (what == 0 ? "the range" : what == 1 ? "the first derivative" : "the second derivative") + ": " + name_of(given) + ", truly " + name_of(expected));
+            return say(std::string("asked for ") +
+                       (what == 0   ? "the range"
+                        : what == 1 ? "the first derivative"
+                                    : "the second derivative") +
+                       ": " + name_of(given) + ", truly " + name_of(expected));
           });
-          samples.expect(are_consistent(counts) && counts.calls[0] == before.calls[0] + 1, [&] { return say("counts"); });
+          samples.expect(are_consistent(counts) && counts.calls[0] == before.calls[0] + 1,
+                         [&] { return say("counts"); });
           // The rung that answered is the last one that was called.
-          bool last = counts.calls[index(rung)] == before.calls[index(rung)] + 1 && counts.failures[index(rung)] == before.failures[index(rung)];
-          for (std::size_t above = index(rung) + 1; above < 3; ++above) last = last && counts.calls[above] == before.calls[above];
+          bool last = counts.calls[index(rung)] == before.calls[index(rung)] + 1 &&
+                      counts.failures[index(rung)] == before.failures[index(rung)];
+          for (std::size_t above = index(rung) + 1; above < 3; ++above)
+            last = last && counts.calls[above] == before.calls[above];
           samples.expect(last, [&] { return say("the rung that answered"); });
           ++answered[index(rung)];
         }
@@ -205,7 +227,8 @@ TEST_CASE("on any subdivision the ladder's answers are those of exact arithmetic
         samples.expect(covered, [&] { return say("bounded form"); });
         if (random.chance(30)) {
           const auto& exact = tree.exact(cell);
-          samples.expect(exact.degrees() == truth.degrees() && exact.rational().coefficients() == truth.coefficients(), [&] { return say("exact form"); });
+          samples.expect(exact.degrees() == truth.degrees() && exact.rational().coefficients() == truth.coefficients(),
+                         [&] { return say("exact form"); });
         }
 
         // Cut, in the middle or not.
@@ -220,11 +243,13 @@ TEST_CASE("on any subdivision the ladder's answers are those of exact arithmetic
           samples.expect(tree.size() == size && tree[cell].split_variable == -1, [&] { return say("undone"); });
           low = tree.cut(cell, 1 - v, 0.5 * (box.lo[1 - vv] + box.hi[1 - vv]));
         }
-        samples.expect(tree.size() == size + 2 && tree[cell].low_child == low && tree[cell].high_child == low + 1 && tree[low].parent == cell && tree[low + 1].parent == cell &&
-                         tree[low + 1].is_high && !tree[low].is_high && tree[low].depth == tree[cell].depth + 1,
+        samples.expect(tree.size() == size + 2 && tree[cell].low_child == low && tree[cell].high_child == low + 1 &&
+                         tree[low].parent == cell && tree[low + 1].parent == cell && tree[low + 1].is_high &&
+                         !tree[low].is_high && tree[low].depth == tree[cell].depth + 1,
                        [&] { return say("the tree"); });
         const auto w = static_cast<std::size_t>(tree[cell].split_variable);
-        samples.expect(tree[low].box.hi[w] == tree[low + 1].box.lo[w] && tree[low].box.lo == box.lo && tree[low + 1].box.hi == box.hi && tree[low].box.hi[1 - w] == box.hi[1 - w] &&
+        samples.expect(tree[low].box.hi[w] == tree[low + 1].box.lo[w] && tree[low].box.lo == box.lo &&
+                         tree[low + 1].box.hi == box.hi && tree[low].box.hi[1 - w] == box.hi[1 - w] &&
                          tree[low + 1].box.lo[1 - w] == box.lo[1 - w],
                        [&] { return say("the children's boxes"); });
         leaves[at] = low;
@@ -253,7 +278,8 @@ TEST_CASE("coefficients that are exactly zero are decided as zero by the exact r
     Cell_tree tree(equation, counts);
     whole = tree.range_sign(0, rung);
     const auto low = tree.cut(0, 0, 0.5), quarter = tree.cut(low, 1, 0.5);
-    corners = {tree.corner_sign(quarter, 0, 0), tree.corner_sign(quarter, 1, 1), tree.corner_sign(quarter, 0, 1), tree.corner_sign(quarter, 1, 0)};
+    corners = {tree.corner_sign(quarter, 0, 0), tree.corner_sign(quarter, 1, 1), tree.corner_sign(quarter, 0, 1),
+               tree.corner_sign(quarter, 1, 0)};
     first = counts;
     exact_cells = tree.exact_cells();
     tree.corner_sign(quarter, 0, 0);
@@ -335,7 +361,8 @@ TEST_CASE("coefficients beyond the doubles are left to the exact rung", "[filter
 {
   const Rational huge = locus::parse_rational("1e400"), tiny = locus::parse_rational("1e-400");
   Samples samples;
-  for (const Rational& scale : {huge, tiny, Rational(locus::parse_rational("1e308")), Rational(locus::parse_rational("1e-310"))})
+  for (const Rational& scale :
+       {huge, tiny, Rational(locus::parse_rational("1e308")), Rational(locus::parse_rational("1e-310"))})
     for (const int signs : {0, 1, 2, 3}) {
       // All positive; all negative; mixed; mixed with one huge coefficient only.
       std::vector<Rational> c{scale, Rational(2 * scale), Rational(3 * scale), scale};

@@ -20,11 +20,16 @@ const Integer prime(std::to_string(locus::detail::small_prime));
 Integer random_coefficient(Random& random)
 {
   switch (random.below(8)) {
-  case 0: return 0;
-  case 1: return Integer(prime * random.between(-2, 2));
-  case 2: return random.integer(90);
-  case 3: return Integer(prime * random.integer(40) + 1);
-  default: return Integer(random.between(-9, 9));
+  case 0:
+    return 0;
+  case 1:
+    return Integer(prime * random.between(-2, 2));
+  case 2:
+    return random.integer(90);
+  case 3:
+    return Integer(prime * random.integer(40) + 1);
+  default:
+    return Integer(random.between(-9, 9));
   }
 }
 
@@ -59,7 +64,10 @@ Integer common_divisor(const Integer_polynomial& f)
   return g;
 }
 
-bool is_primitive_and_positive(const Integer_polynomial& f) { return !f.empty() && f.back() > 0 && common_divisor(f) == 1; }
+bool is_primitive_and_positive(const Integer_polynomial& f)
+{
+  return !f.empty() && f.back() > 0 && common_divisor(f) == 1;
+}
 
 /// Whether a and b are equal up to a positive rational factor.
 bool is_positive_multiple(const Integer_polynomial& a, const Integer_polynomial& b)
@@ -88,7 +96,8 @@ TEST_CASE("primitive parts and contents", "[integer_polynomial]")
   }
   LOCUS_REQUIRE_SAMPLES(samples, 800);
   CHECK(locus::detail::primitive_part({Integer(0), Integer(0)}).empty());
-  CHECK(locus::detail::primitive_part({Integer(0), Integer(-6), Integer(0)}) == Integer_polynomial{Integer(0), Integer(1)});
+  CHECK(locus::detail::primitive_part({Integer(0), Integer(-6), Integer(0)}) ==
+        Integer_polynomial{Integer(0), Integer(1)});
   CHECK(locus::degree(Integer_polynomial{}) == -1);
   CHECK(locus::degree({Integer(5)}) == 0);
   CHECK(locus::derivative(Integer_polynomial{}).empty());
@@ -131,7 +140,8 @@ TEST_CASE("the gcd is the planted one and the one of Euclid's algorithm in ratio
 
 TEST_CASE("the gcd with zero and with constants", "[integer_polynomial]")
 {
-  const Integer_polynomial zero, zero_with_zeros{Integer(0), Integer(0)}, f{Integer(-4), Integer(0), Integer(-6)}, primitive{Integer(2), Integer(0), Integer(3)};
+  const Integer_polynomial zero, zero_with_zeros{Integer(0), Integer(0)}, f{Integer(-4), Integer(0), Integer(-6)},
+    primitive{Integer(2), Integer(0), Integer(3)};
   CHECK(locus::gcd(zero, zero).empty());
   CHECK(locus::gcd(f, zero) == primitive);
   CHECK(locus::gcd(zero_with_zeros, f) == primitive);
@@ -161,7 +171,8 @@ TEST_CASE("the modular test never calls polynomials with a common factor coprime
   Samples samples;
   for (int i = 0; i < 200; ++i) {
     const std::uint64_t r = random.bits() % (locus::detail::small_prime - 1) + 1;
-    samples.expect(r * locus::detail::inverse_mod(r) % locus::detail::small_prime == 1, [&] { return std::to_string(r); });
+    samples.expect(r * locus::detail::inverse_mod(r) % locus::detail::small_prime == 1,
+                   [&] { return std::to_string(r); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 200);
   CHECK(mpz_probab_prime_p(p.get_mpz_t(), 30) != 0);
@@ -174,7 +185,9 @@ TEST_CASE("products agree with the schoolbook", "[integer_polynomial]")
   for (int i = 0; i < 400; ++i) {
     auto f = random_polynomial(random, random.below(9)), g = random_polynomial(random, random.below(9));
     if (random.chance(30)) // coefficients of one word's size and its neighbours, where packing could carry
-      for (Integer& c : f) c = Integer(Integer(random.between(-1, 1)) << static_cast<unsigned>(random.between(62, 66))) + random.between(-1, 1);
+      for (Integer& c : f)
+        c = Integer(Integer(random.between(-1, 1)) << static_cast<unsigned>(random.between(62, 66))) +
+            random.between(-1, 1);
     if (f.back() == 0) f.back() = -1;
     samples.expect(locus::multiply(f, g) == product(f, g), [&] { return show(f) + " times " + show(g); });
   }
@@ -206,7 +219,9 @@ TEST_CASE("exact quotients undo products, with the right sign, and refuse other 
       spoilt[0] += 1; // a constant, which g does not divide
       samples.expect(thrown<std::domain_error>([&] { locus::exact_quotient(spoilt, g); }) == 1, describe);
       if (locus::degree(g) > 1)
-        samples.expect(thrown<std::domain_error>([&] { locus::exact_quotient(Integer_polynomial(g.begin() + 1, g.end()), g); }) == 1, describe);
+        samples.expect(
+          thrown<std::domain_error>([&] { locus::exact_quotient(Integer_polynomial(g.begin() + 1, g.end()), g); }) == 1,
+          describe);
     }
   }
   LOCUS_REQUIRE_SAMPLES(samples, 1500);
@@ -224,9 +239,11 @@ TEST_CASE("square-free decomposition finds the planted factors with their multip
     for (int k = random.between(1, 5); k > 0; --k) {
       Integer_polynomial factor;
       if (random.chance(65)) {
-        factor = {random.chance(15) ? random.integer(70) : Integer(random.between(-5, 5)), Integer(random.chance(10) ? prime : Integer(random.between(1, 3)))};
+        factor = {random.chance(15) ? random.integer(70) : Integer(random.between(-5, 5)),
+                  Integer(random.chance(10) ? prime : Integer(random.between(1, 3)))};
       } else {
-        factor = {Integer(random.between(1, 4)), Integer(random.between(-1, 1)), Integer(random.between(1, 3))}; // discriminant ≤ 1-4
+        factor = {Integer(random.between(1, 4)), Integer(random.between(-1, 1)),
+                  Integer(random.between(1, 3))}; // discriminant ≤ 1-4
       }
       const Integer common = common_divisor(factor);
       for (Integer& c : factor) c /= common;
@@ -250,7 +267,8 @@ TEST_CASE("square-free decomposition finds the planted factors with their multip
     Integer_polynomial together{Integer(1)};
     for (std::size_t k = 0; right && k < parts.size(); ++k) {
       const auto m = static_cast<std::size_t>(parts[k].multiplicity);
-      right = m >= 1 && m < expected.size() && is_positive_multiple(parts[k].factor, expected[m]) && (k == 0 || parts[k - 1].multiplicity < parts[k].multiplicity);
+      right = m >= 1 && m < expected.size() && is_positive_multiple(parts[k].factor, expected[m]) &&
+              (k == 0 || parts[k - 1].multiplicity < parts[k].multiplicity);
       together = product(together, repeated_product(parts[k].factor, parts[k].multiplicity));
       // Square-free by another algorithm too.
       right = right && euclid(rational(parts[k].factor), slope(rational(parts[k].factor))).size() == 1;
@@ -278,7 +296,8 @@ TEST_CASE("random polynomials are square-free or share a factor with their deriv
     int degree = 0;
     for (const auto& part : parts) degree += part.multiplicity * locus::degree(part.factor);
     const bool square_free = euclid(rational(f), slope(rational(f))).size() == 1;
-    samples.expect(degree == locus::degree(f) && square_free == (parts.size() == 1 && parts[0].multiplicity == 1), [&] { return show(f); });
+    samples.expect(degree == locus::degree(f) && square_free == (parts.size() == 1 && parts[0].multiplicity == 1),
+                   [&] { return show(f); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 150);
 }
@@ -292,8 +311,10 @@ TEST_CASE("the monomial and the Bernstein form are the same polynomial", "[integ
     const auto f = locus::bernstein_form(a);
     const Rational u = random.chance(30) ? random.rational() : random.unit_rational();
     const auto describe = [&] { return show(a) + " at " + show(u); };
-    samples.expect(f.degree() == locus::degree(a) && plain_value(f.rational(), {u}) == horner(rational(a), u), describe);
-    samples.expect(f.rational().coefficients() == bernstein_on_unit(rational(a), locus::degree(a)).coefficients(), describe);
+    samples.expect(f.degree() == locus::degree(a) && plain_value(f.rational(), {u}) == horner(rational(a), u),
+                   describe);
+    samples.expect(f.rational().coefficients() == bernstein_on_unit(rational(a), locus::degree(a)).coefficients(),
+                   describe);
     samples.expect(is_positive_multiple(locus::monomial_form(f), a), describe);
     // Written with a higher degree and another scale it is still the same.
     const auto raised = locus::elevate(f, 0, random.between(1, 3));

@@ -11,8 +11,8 @@
 
 using namespace locus_test;
 using locus::Bounded;
-using locus::Interval;
 using locus::exact_rational;
+using locus::Interval;
 using locus::parse_rational;
 using locus::with_nearest_rounding;
 using locus::with_upward_rounding;
@@ -23,20 +23,28 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double greatest = std::numeric_limits<double>::max();
 constexpr double least = std::numeric_limits<double>::denorm_min();
 
-bool is_rejected(const std::string& text) { return thrown<std::invalid_argument>([&] { parse_rational(text); }) == 1; }
+bool is_rejected(const std::string& text)
+{
+  return thrown<std::invalid_argument>([&] { parse_rational(text); }) == 1;
+}
 
 Rational random_rational_near_doubles(Random& random)
 {
   switch (random.below(6)) {
-  case 0: return random.rational();
-  case 1: return exact_rational(random.any_double());
-  case 2: return Rational(exact_rational(random.any_double()) + (random.chance(50) ? 1 : -1) * two_to(-1200));
+  case 0:
+    return random.rational();
+  case 1:
+    return exact_rational(random.any_double());
+  case 2:
+    return Rational(exact_rational(random.any_double()) + (random.chance(50) ? 1 : -1) * two_to(-1200));
   case 3: { // between two doubles, exactly half-way
     const double x = random.any_double();
     return Rational((exact_rational(x) + exact_rational(std::nextafter(x, 0.0))) / 2);
   }
-  case 4: return Rational(random.rational() * two_to(random.between(-1120, -1000)));
-  default: return Rational(random.rational() * two_to(random.between(900, 1040)));
+  case 4:
+    return Rational(random.rational() * two_to(random.between(-1120, -1000)));
+  default:
+    return Rational(random.rational() * two_to(random.between(900, 1040)));
   }
 }
 
@@ -88,11 +96,28 @@ TEST_CASE("a count of the ladder's rungs adds up", "[number][filter]")
 TEST_CASE("decimals and fractions are read as the rationals that they spell", "[number][parse]")
 {
   const std::vector<std::pair<const char*, const char*>> table{
-    {"0", "0"},           {"-0", "0"},          {"0.1", "1/10"},       {"-0.25e3", "-250"},  {"2/3", "2/3"},
-    {"-6/4", "-3/2"},     {"+5", "5"},          {"+1/2", "1/2"},       {"1e3", "1000"},      {"1E3", "1000"},
-    {"1e+3", "1000"},     {"1e-3", "1/1000"},   {"1.50", "3/2"},       {"007", "7"},         {"0/5", "0"},
-    {"010", "10"},        {"0.125", "1/8"},     {".5", "1/2"},         {"5.", "5"},          {"12.5e-1", "5/4"},
-    {"1e0000000002", "100"},                    {"010/020", "1/2"},
+    {"0", "0"},
+    {"-0", "0"},
+    {"0.1", "1/10"},
+    {"-0.25e3", "-250"},
+    {"2/3", "2/3"},
+    {"-6/4", "-3/2"},
+    {"+5", "5"},
+    {"+1/2", "1/2"},
+    {"1e3", "1000"},
+    {"1E3", "1000"},
+    {"1e+3", "1000"},
+    {"1e-3", "1/1000"},
+    {"1.50", "3/2"},
+    {"007", "7"},
+    {"0/5", "0"},
+    {"010", "10"},
+    {"0.125", "1/8"},
+    {".5", "1/2"},
+    {"5.", "5"},
+    {"12.5e-1", "5/4"},
+    {"1e0000000002", "100"},
+    {"010/020", "1/2"},
     {"123456789012345678901234567890", "123456789012345678901234567890"},
     {"0.333333333333333333333", "333333333333333333333/1000000000000000000000"},
   };
@@ -105,9 +130,10 @@ TEST_CASE("decimals and fractions are read as the rationals that they spell", "[
 TEST_CASE("text that spells no number is rejected with the text in the message", "[number][parse]")
 {
   for (const char* text :
-       {"", " ", "-", "+", ".", "-.", "e5", "1e", "1e+", "1e-", "1e+-5", "1e5e3", "1e1.5", "--1", "+-1", "-+1", "++1",
-        "1-", "0x10", "0x1p3", "nan", "NaN", "inf", "-inf", "Infinity", " 1", "1 ", "1 2", "1\n", "\t1", "1,5", "1_000",
-        "1.2.3", "1/", "/2", "1/-2", "-1/-2", "1//2", "1/2/3", "1.5/2", "1/2.5", "1e3/2", "1/1e3", "1/+2", "0b1", "1f", "½"}) {
+       {"",         " ",    "-",     "+",     ".",     "-.",    "e5",    "1e",    "1e+",   "1e-", "1e+-5", "1e5e3",
+        "1e1.5",    "--1",  "+-1",   "-+1",   "++1",   "1-",    "0x10",  "0x1p3", "nan",   "NaN", "inf",   "-inf",
+        "Infinity", " 1",   "1 ",    "1 2",   "1\n",   "\t1",   "1,5",   "1_000", "1.2.3", "1/",  "/2",    "1/-2",
+        "-1/-2",    "1//2", "1/2/3", "1.5/2", "1/2.5", "1e3/2", "1/1e3", "1/+2",  "0b1",   "1f",  "½"}) {
     INFO("'" << text << "'");
     CHECK(is_rejected(text));
   }
@@ -156,7 +182,8 @@ TEST_CASE("random decimals agree with GMP's own fractions and with the C library
     if (!fraction.empty() || random.chance(10)) text += "." + fraction;
     if (exponent != 0 || random.chance(10)) text += (random.chance(50) ? "e" : "E") + std::to_string(exponent);
     const int shift = exponent - static_cast<int>(fraction.size());
-    Rational expected((negative ? "-" : "") + digits + fraction + (shift > 0 ? std::string(static_cast<std::size_t>(shift), '0') : "") + "/1" +
+    Rational expected((negative ? "-" : "") + digits + fraction +
+                        (shift > 0 ? std::string(static_cast<std::size_t>(shift), '0') : "") + "/1" +
                         (shift < 0 ? std::string(static_cast<std::size_t>(-shift), '0') : ""),
                       10);
     expected.canonicalize();
@@ -186,7 +213,8 @@ TEST_CASE("doubles are taken at their binary value", "[number][parse]")
   }
   LOCUS_REQUIRE_SAMPLES(samples, 900);
   CHECK(exact_rational(0.1) != parse_rational("0.1"));
-  for (const double x : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::signaling_NaN()})
+  for (const double x :
+       {infinity, -infinity, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::signaling_NaN()})
     CHECK(thrown<std::domain_error>([&] { exact_rational(x); }) == 1);
 }
 
@@ -263,9 +291,9 @@ TEST_CASE("enclosing gives the tightest interval of doubles, in every rounding m
 {
   Random random(3);
   std::vector<Rational> values{0, 1, -1, Rational(1, 3), Rational(1, 10)};
-  for (const char* text : {"1e300", "-1e300", "1e-320", "-1e-320", "1e-323", "1e-324", "2e-324", "3e-324", "1e-400", "-1e-4000", "1e308",
-                           "1.7976931348623157e308", "1.8e308", "-1e309", "1e4000", "2.2250738585072014e-308",
-                           "2.2250738585072011e-308", "0.1"})
+  for (const char* text : {"1e300", "-1e300", "1e-320", "-1e-320", "1e-323", "1e-324", "2e-324", "3e-324", "1e-400",
+                           "-1e-4000", "1e308", "1.7976931348623157e308", "1.8e308", "-1e309", "1e4000",
+                           "2.2250738585072014e-308", "2.2250738585072011e-308", "0.1"})
     values.push_back(parse_rational(text));
   for (int i = 0; i < 1500; ++i) values.push_back(random_rational_near_doubles(random));
   Samples samples;
@@ -278,12 +306,16 @@ TEST_CASE("enclosing gives the tightest interval of doubles, in every rounding m
         lo = e.inf();
         hi = e.sup();
       });
-      const auto describe = [&] { return show(x) + " in [" + show(lo) + ", " + show(hi) + "], rounding " + mode_name(mode); };
+      const auto describe = [&] {
+        return show(x) + " in [" + show(lo) + ", " + show(hi) + "], rounding " + mode_name(mode);
+      };
       const bool below = lo == -infinity || exact_rational(lo) <= x, above = hi == infinity || exact_rational(hi) >= x;
       samples.expect(below && above, describe);
       // One double where x is one; else two neighbours. (nextafter is exact in every mode.)
       samples.expect(lo == hi ? exact_rational(lo) == x : std::nextafter(lo, infinity) == hi, describe);
-      samples.expect(lo == hi || ((lo == -infinity || exact_rational(lo) < x) && (hi == infinity || exact_rational(hi) > x)), describe);
+      samples.expect(lo == hi ||
+                       ((lo == -infinity || exact_rational(lo) < x) && (hi == infinity || exact_rational(hi) > x)),
+                     describe);
       exact += lo == hi;
       subnormal += lo != hi && std::abs(lo) < 0x1p-1022;
     }
@@ -301,10 +333,15 @@ TEST_CASE("nearest_double is next to the rational, and nearest where doubles are
     if (abs(x) > exact_rational(greatest)) continue;
     const double y = locus::nearest_double(x);
     const Rational distance = abs(Rational(exact_rational(y) - x));
-    const Rational up = std::nextafter(y, infinity) == infinity ? distance : Rational(abs(Rational(exact_rational(std::nextafter(y, infinity)) - x)));
-    const Rational down = std::nextafter(y, -infinity) == -infinity ? distance : Rational(abs(Rational(exact_rational(std::nextafter(y, -infinity)) - x)));
+    const Rational up = std::nextafter(y, infinity) == infinity
+                          ? distance
+                          : Rational(abs(Rational(exact_rational(std::nextafter(y, infinity)) - x)));
+    const Rational down = std::nextafter(y, -infinity) == -infinity
+                            ? distance
+                            : Rational(abs(Rational(exact_rational(std::nextafter(y, -infinity)) - x)));
     const bool normal = std::abs(y) >= 0x1p-1021;
-    samples.expect(normal ? distance <= up && distance <= down : distance < two_to(-1074), [&] { return show(x) + " to " + show(y); });
+    samples.expect(normal ? distance <= up && distance <= down : distance < two_to(-1074),
+                   [&] { return show(x) + " to " + show(y); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 2500);
 }
@@ -326,9 +363,13 @@ TEST_CASE("what the helpers say of an interval holds for the rationals in it", "
     if (a > b) std::swap(a, b);
     const Fact f = with_upward_rounding([&] {
       const Interval x(a, b);
-      return Fact{x.inf(), x.sup(), locus::midpoint(x), locus::magnitude(x), locus::mignitude(x), locus::width(x), locus::sign_of(x), locus::contains_zero(x)};
+      return Fact{x.inf(),         x.sup(),           locus::midpoint(x),     locus::magnitude(x), locus::mignitude(x),
+                  locus::width(x), locus::sign_of(x), locus::contains_zero(x)};
     });
-    const Sign expected = a > 0 ? Sign::positive : b < 0 ? Sign::negative : a == 0 && b == 0 ? Sign::zero : Sign::unknown;
+    const Sign expected = a > 0              ? Sign::positive
+                          : b < 0            ? Sign::negative
+                          : a == 0 && b == 0 ? Sign::zero
+                                             : Sign::unknown;
     const auto describe = [&] { return "[" + show(a) + ", " + show(b) + "]"; };
     samples.expect(f.inf == a && f.sup == b, describe);
     samples.expect(f.sign == expected, describe);
@@ -388,7 +429,8 @@ TEST_CASE("interval operations contain the exact results and are one rounding wi
     const Rational x = exact_rational(a), y = exact_rational(b);
     const Rational exact[4]{Rational(x + y), Rational(x - y), Rational(x * y), b != 0 ? Rational(x / y) : Rational(0)};
     for (int k = 0; k < 4; ++k) {
-      const bool contained = (lo[k] == -infinity || exact_rational(lo[k]) <= exact[k]) && (hi[k] == infinity || exact_rational(hi[k]) >= exact[k]);
+      const bool contained = (lo[k] == -infinity || exact_rational(lo[k]) <= exact[k]) &&
+                             (hi[k] == infinity || exact_rational(hi[k]) >= exact[k]);
       samples.expect(contained, [&] { return show(a) + " and " + show(b) + ", operation " + std::to_string(k); });
       samples.expect(lo[k] == hi[k] || std::nextafter(std::nextafter(lo[k], infinity), infinity) >= hi[k],
                      [&] { return show(a) + " and " + show(b) + ", width of operation " + std::to_string(k); });
@@ -426,19 +468,30 @@ TEST_CASE("midpoint and radius cover the interval, in every rounding mode", "[nu
       const auto size = random.size();
       double a = random.real(size), b = a;
       switch (random.below(4)) {
-      case 0: break;
-      case 1: b = std::nextafter(a, infinity); break;
-      case 2: b = random.real(random.size()); break;
-      default: b = random.real(size);
+      case 0:
+        break;
+      case 1:
+        b = std::nextafter(a, infinity);
+        break;
+      case 2:
+        b = random.real(random.size());
+        break;
+      default:
+        b = random.real(size);
       }
       if (a > b) std::swap(a, b);
       Bounded x;
       in_mode(mode, [&] { x = locus::bounded(Interval(a, b)); });
       const Rational value = exact_rational(x.value), error = exact_rational(x.error);
-      const auto describe = [&] { return "[" + show(a) + ", " + show(b) + "] as " + show(x.value) + " with " + show(x.error) + ", rounding " + mode_name(mode); };
+      const auto describe = [&] {
+        return "[" + show(a) + ", " + show(b) + "] as " + show(x.value) + " with " + show(x.error) + ", rounding " +
+               mode_name(mode);
+      };
       samples.expect(value - error <= exact_rational(a) && exact_rational(b) <= value + error, describe);
-      samples.expect(a == b ? x.error == 0 : error <= (exact_rational(b) - exact_rational(a)) * Rational(9, 8) / 2 + 6 * two_to(-1074) +
-                                                        two_to(-50) * std::max(abs(exact_rational(a)), abs(exact_rational(b))),
+      samples.expect(a == b
+                       ? x.error == 0
+                       : error <= (exact_rational(b) - exact_rational(a)) * Rational(9, 8) / 2 + 6 * two_to(-1074) +
+                                    two_to(-50) * std::max(abs(exact_rational(a)), abs(exact_rational(b))),
                      describe);
     }
   LOCUS_REQUIRE_SAMPLES(samples, 16000);
@@ -446,8 +499,13 @@ TEST_CASE("midpoint and radius cover the interval, in every rounding mode", "[nu
 
 TEST_CASE("an unbounded interval has no known sign unless all of it has", "[number][bounded]")
 {
-  for (const auto& ends : std::vector<std::pair<double, double>>{
-         {-infinity, infinity}, {-1, infinity}, {0, infinity}, {-infinity, 1}, {-infinity, 0}, {-greatest, infinity}, {-greatest, greatest}}) {
+  for (const auto& ends : std::vector<std::pair<double, double>>{{-infinity, infinity},
+                                                                 {-1, infinity},
+                                                                 {0, infinity},
+                                                                 {-infinity, 1},
+                                                                 {-infinity, 0},
+                                                                 {-greatest, infinity},
+                                                                 {-greatest, greatest}}) {
     const double a = ends.first, b = ends.second;
     Sign sign = Sign::zero;
     with_upward_rounding([&] { sign = locus::sign_of(locus::bounded(Interval(a, b))); });

@@ -10,11 +10,11 @@
 
 using namespace locus_test;
 using locus::Box;
+using locus::exact_rational;
 using locus::Interval;
 using locus::Point_set;
 using locus::Polynomial_equation;
 using locus::Solve_control;
-using locus::exact_rational;
 using locus::with_upward_rounding;
 
 namespace {
@@ -45,7 +45,10 @@ Rational value(const Bivariate& f, const Point& p)
   return sum;
 }
 
-Bivariate line(const Rational& a, const Rational& b, const Rational& c) { return {{{1, 0}, a}, {{0, 1}, b}, {{0, 0}, c}}; }
+Bivariate line(const Rational& a, const Rational& b, const Rational& c)
+{
+  return {{{1, 0}, a}, {{0, 1}, b}, {{0, 0}, c}};
+}
 Bivariate line_through(const Point& p, const Point& q)
 {
   const Rational a = q[1] - p[1], b = p[0] - q[0];
@@ -71,7 +74,8 @@ Bernstein<Rational, 2> bernstein(const Bivariate& f)
     for (int j = 0; j <= m; ++j)
       for (const auto& [e, a] : f)
         if (e.first <= i && e.second <= j)
-          b.at({i, j}) += a * Rational(choose(i, e.first)) / choose(n, e.first) * Rational(choose(j, e.second)) / choose(m, e.second);
+          b.at({i, j}) +=
+            a * Rational(choose(i, e.first)) / choose(n, e.first) * Rational(choose(j, e.second)) / choose(m, e.second);
   return b;
 }
 
@@ -88,8 +92,8 @@ std::string show_system(const Bivariate& f, const Bivariate& g)
 
 Point_set solve(const Bivariate& f, const Bivariate& g, const Solve_control& control = {})
 {
-  const std::array<std::shared_ptr<const locus::Equation<2>>, 2> equations{std::make_shared<Polynomial_equation<2>>(bernstein(f)),
-                                                                         std::make_shared<Polynomial_equation<2>>(bernstein(g))};
+  const std::array<std::shared_ptr<const locus::Equation<2>>, 2> equations{
+    std::make_shared<Polynomial_equation<2>>(bernstein(f)), std::make_shared<Polynomial_equation<2>>(bernstein(g))};
   Point_set result;
   with_upward_rounding([&] { result = locus::solve_points(equations, control); });
   return result;
@@ -148,9 +152,11 @@ std::string fault_of(const Point_set& set, const std::vector<Known>& solutions, 
     bool on_face = false;
     for (std::size_t k = 0; k < 2; ++k) {
       const int face = found->at[k] == 0 ? 0 : found->at[k] == 1 ? 1 : -1;
-      if (p.face[k] != face) return name + " has face " + std::to_string(p.face[k]) + " of variable " + std::to_string(k);
+      if (p.face[k] != face)
+        return name + " has face " + std::to_string(p.face[k]) + " of variable " + std::to_string(k);
       on_face = on_face || face >= 0;
-      if (!(p.unique_in.lo[k] <= p.box[k].inf() && p.box[k].sup() <= p.unique_in.hi[k])) return name + " is not in its larger box";
+      if (!(p.unique_in.lo[k] <= p.box[k].inf() && p.box[k].sup() <= p.unique_in.hi[k]))
+        return name + " is not in its larger box";
       if (must_decide && !(p.box[k].sup() - p.box[k].inf() < 1e-9)) return name + " is wide";
     }
     if (p.on_boundary() != on_face) return name + ": on_boundary";
@@ -165,12 +171,23 @@ Point special_point(Random& random)
   Point p{random.unit_rational(), random.unit_rational()};
   const auto k = static_cast<std::size_t>(random.below(2));
   switch (random.below(8)) {
-  case 0: p[k] = Rational(random.below(2)); break;                                        // on a face
-  case 1: p = {Rational(random.below(2)), Rational(random.below(2))}; break;              // a corner
-  case 2: p[k] = random.chance(50) ? Rational(-two_to(-30)) : Rational(1 + two_to(-30)); break; // just outside
-  case 3: p[k] = random.chance(50) ? two_to(-30) : Rational(1 - two_to(-30)); break;      // just inside
-  case 4: p = {Rational(random.below(9)) / 8, Rational(random.below(9)) / 8}; break;      // on lines where cells are cut
-  default: break;
+  case 0:
+    p[k] = Rational(random.below(2));
+    break; // on a face
+  case 1:
+    p = {Rational(random.below(2)), Rational(random.below(2))};
+    break; // a corner
+  case 2:
+    p[k] = random.chance(50) ? Rational(-two_to(-30)) : Rational(1 + two_to(-30));
+    break; // just outside
+  case 3:
+    p[k] = random.chance(50) ? two_to(-30) : Rational(1 - two_to(-30));
+    break; // just inside
+  case 4:
+    p = {Rational(random.below(9)) / 8, Rational(random.below(9)) / 8};
+    break; // on lines where cells are cut
+  default:
+    break;
   }
   return p;
 }
@@ -179,7 +196,8 @@ bool are_apart(const std::vector<Point>& points, const Rational& by)
 {
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      if (abs(Rational(points[i][0] - points[j][0])) < by && abs(Rational(points[i][1] - points[j][1])) < by) return false;
+      if (abs(Rational(points[i][0] - points[j][0])) < by && abs(Rational(points[i][1] - points[j][1])) < by)
+        return false;
   return true;
 }
 
@@ -225,7 +243,8 @@ TEST_CASE("two lines meet in the point through which they were drawn", "[points]
     if (cross(f, g) == 0) continue;
     const Point_set set = solve(f, g);
     const std::string fault = fault_of(set, {{p}}, true);
-    samples.expect(fault.empty() && set.points.size() == (in_unit_square(p) ? 1u : 0u), [&] { return fault + "; through " + show(p) + show_system(f, g); });
+    samples.expect(fault.empty() && set.points.size() == (in_unit_square(p) ? 1u : 0u),
+                   [&] { return fault + "; through " + show(p) + show_system(f, g); });
     on_boundary += !set.points.empty() && set.points[0].on_boundary();
     outside += !in_unit_square(p);
   }
@@ -244,12 +263,14 @@ TEST_CASE("a line and a conic meet in the two points through which they were dra
     const auto f = line_through(p, q);
     const auto through_p = line_through(p, random), through_q = line_through(q, random);
     if (!are_steep(f, through_p) || !are_steep(f, through_q)) continue;
-    const auto conic = combined(times(through_p, through_q), Rational(random.between(-3, 3)), times(f, line_through({random.unit_rational(), random.unit_rational()}, random)));
+    const auto conic = combined(times(through_p, through_q), Rational(random.between(-3, 3)),
+                                times(f, line_through({random.unit_rational(), random.unit_rational()}, random)));
     // On the line the conic is the product of the two lines: no other solutions, unless at infinity.
     const bool swapped = random.chance(50);
     const Point_set set = swapped ? solve(conic, f) : solve(f, conic);
     const std::string fault = fault_of(set, {{p}, {q}}, true);
-    samples.expect(fault.empty(), [&] { return fault + "; through " + show(p) + " and " + show(q) + show_system(f, conic); });
+    samples.expect(fault.empty(),
+                   [&] { return fault + "; through " + show(p) + " and " + show(q) + show_system(f, conic); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 70);
 }
@@ -260,20 +281,26 @@ TEST_CASE("two conics meet in the four points through which they were drawn", "[
   Samples samples;
   std::size_t decided = 0;
   for (int i = 0; i < 80; ++i) {
-    const std::vector<Point> p{special_point(random), special_point(random), special_point(random), special_point(random)};
+    const std::vector<Point> p{special_point(random), special_point(random), special_point(random),
+                               special_point(random)};
     if (!are_apart(p, Rational(1, 100))) continue;
     bool collinear = false;
     for (std::size_t a = 0; a < 4; ++a)
       for (std::size_t b = 0; b < a; ++b)
-        for (std::size_t c = 0; c < b; ++c) collinear = collinear || abs(value(line_through(p[a], p[b]), p[c])) < Rational(1, 1000);
+        for (std::size_t c = 0; c < b; ++c)
+          collinear = collinear || abs(value(line_through(p[a], p[b]), p[c])) < Rational(1, 1000);
     if (collinear) continue;
-    const auto first = times(line_through(p[0], p[1]), line_through(p[2], p[3])), second = times(line_through(p[0], p[2]), line_through(p[1], p[3]));
+    const auto first = times(line_through(p[0], p[1]), line_through(p[2], p[3])),
+               second = times(line_through(p[0], p[2]), line_through(p[1], p[3]));
     // All conics of the pencil pass through the four; two of them meet nowhere else. Some run close together all the
     // way, which costs more cells than there may be: those are left undecided, never wrong.
-    const auto f = combined(first, Rational(random.between(1, 5)), second), g = combined(first, Rational(-random.between(1, 5)) / 3, second);
+    const auto f = combined(first, Rational(random.between(1, 5)), second),
+               g = combined(first, Rational(-random.between(1, 5)) / 3, second);
     const Point_set set = solve(f, g);
     const std::string fault = fault_of(set, {{p[0]}, {p[1]}, {p[2]}, {p[3]}}, false);
-    samples.expect(fault.empty(), [&] { return fault + "; through " + show(p[0]) + show(p[1]) + show(p[2]) + show(p[3]) + show_system(f, g); });
+    samples.expect(fault.empty(), [&] {
+      return fault + "; through " + show(p[0]) + show(p[1]) + show(p[2]) + show(p[3]) + show_system(f, g);
+    });
     decided += fault_of(set, {{p[0]}, {p[1]}, {p[2]}, {p[3]}}, true).empty();
   }
   LOCUS_REQUIRE_SAMPLES(samples, 20);
@@ -303,7 +330,8 @@ TEST_CASE("bundles of lines meet in all their pairs", "[points]")
           parallel = true;
           continue;
         }
-        const Point p{Rational((a[{0, 1}] * b[{0, 0}] - b[{0, 1}] * a[{0, 0}]) / d), Rational((a[{0, 0}] * b[{1, 0}] - b[{0, 0}] * a[{1, 0}]) / d)};
+        const Point p{Rational((a[{0, 1}] * b[{0, 0}] - b[{0, 1}] * a[{0, 0}]) / d),
+                      Rational((a[{0, 0}] * b[{1, 0}] - b[{0, 0}] * a[{1, 0}]) / d)};
         solutions.push_back({p});
         points.push_back(p);
       }
@@ -324,7 +352,8 @@ TEST_CASE("a solution that is proved early is still enclosed closely", "[points]
   for (int i = 0; i < 1200; ++i) {
     const auto f = line_through(p, q), through_p = line_through(p, random), through_q = line_through(q, random);
     if (!are_steep(f, through_p) || !are_steep(f, through_q)) continue;
-    const auto conic = combined(times(through_p, through_q), Rational(random.between(-20, 20)), times(f, line_through({random.unit_rational(), random.unit_rational()}, random)));
+    const auto conic = combined(times(through_p, through_q), Rational(random.between(-20, 20)),
+                                times(f, line_through({random.unit_rational(), random.unit_rational()}, random)));
     const Point_set set = solve(f, conic);
     const std::string fault = fault_of(set, {{p}, {q}}, set.undecided.empty());
     samples.expect(fault.empty(), [&] { return fault + show_system(f, conic); });
@@ -338,16 +367,25 @@ TEST_CASE("a solution on the corner of cells is reported once, and closely enclo
     Bivariate f, g;
     Point p, q;
   };
-  const auto quadratic = [](const char* c, const char* y, const char* yy, const char* x, const char* xy, const char* xx) {
-    return Bivariate{{{0, 0}, Rational(c)}, {{0, 1}, Rational(y)}, {{0, 2}, Rational(yy)}, {{1, 0}, Rational(x)}, {{1, 1}, Rational(xy)}, {{2, 0}, Rational(xx)}};
+  const auto quadratic = [](const char* c, const char* y, const char* yy, const char* x, const char* xy,
+                            const char* xx) {
+    return Bivariate{{{0, 0}, Rational(c)}, {{0, 1}, Rational(y)},  {{0, 2}, Rational(yy)},
+                     {{1, 0}, Rational(x)}, {{1, 1}, Rational(xy)}, {{2, 0}, Rational(xx)}};
   };
   const Bivariate diagonal = line(1, 1, -1);
   const Point one{Rational(1), Rational(0)}, other{Rational(5, 8), Rational(3, 8)};
   const std::vector<Case> cases{
     {diagonal, quadratic("-1191/514", "-18341/514", "43", "21237/514", "-4", "-39"), one, other},
-    {diagonal, quadratic("-15389067779/1045271428", "-29034967911/1045271428", "265/8", "129817603361/2090542856", "3/4", "-379/8"), one, other},
-    {diagonal, quadratic("182448013839/27514634650", "1712458888397/55029269300", "-29", "-1420606573089/27514634650", "2", "45"), one, other},
-    {line(Rational(-1, 3), -1, Rational(7, 6)), quadratic("528482325/16777216", "-18", "0", "-754974741/8388608", "36", "54"), {Rational(1, 2), Rational(1)},
+    {diagonal,
+     quadratic("-15389067779/1045271428", "-29034967911/1045271428", "265/8", "129817603361/2090542856", "3/4",
+               "-379/8"),
+     one, other},
+    {diagonal,
+     quadratic("182448013839/27514634650", "1712458888397/55029269300", "-29", "-1420606573089/27514634650", "2", "45"),
+     one, other},
+    {line(Rational(-1, 3), -1, Rational(7, 6)),
+     quadratic("528482325/16777216", "-18", "0", "-754974741/8388608", "36", "54"),
+     {Rational(1, 2), Rational(1)},
      {Rational(Rational(1, 2) + two_to(-24)), Rational(1 - two_to(-24) / 3)}},
   };
   for (const Case& c : cases) {
@@ -367,7 +405,8 @@ TEST_CASE("solutions close together are told apart or left undecided, never merg
   std::size_t decided = 0;
   for (const int k : {4, 8, 12, 16, 20, 24, 30}) {
     for (int i = 0; i < 20; ++i) {
-      const Point p{random.unit_rational(), random.unit_rational()}, q{Rational(p[0] + two_to(-k)), Rational(p[1] - two_to(-k) / 3)};
+      const Point p{random.unit_rational(), random.unit_rational()},
+        q{Rational(p[0] + two_to(-k)), Rational(p[1] - two_to(-k) / 3)};
       if (!in_unit_square(p) || !in_unit_square(q)) continue;
       const auto f = line_through(p, q), through_p = line_through(p, random), through_q = line_through(q, random);
       if (value(through_p, q) == 0 || value(through_q, p) == 0) continue;
@@ -415,15 +454,18 @@ TEST_CASE("double solutions come back as undecided boxes, never as a point or as
     const std::string fault = fault_of(set, {{p, false}}, false);
     bool covered = false;
     for (const auto& box : set.undecided) covered = covered || contains(box, p);
-    samples.expect(fault.empty() && covered && set.points.empty(), [&] { return fault + "; kind " + show(i % 4) + " at " + show(p) + show_system(f, g); });
+    samples.expect(fault.empty() && covered && set.points.empty(),
+                   [&] { return fault + "; kind " + show(i % 4) + " at " + show(p) + show_system(f, g); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 6);
 }
 
 TEST_CASE("a common curve is left undecided along its whole length", "[points]")
 {
-  const Bivariate common = line(2, -1, Rational(-1, 3)), f = times(common, line(1, 1, -5)), g = times(common, line(1, -3, 7)), zero{{{0, 0}, Rational(0)}};
-  for (const auto& [a, b] : std::vector<std::pair<Bivariate, Bivariate>>{{f, g}, {common, common}, {common, zero}, {zero, common}}) {
+  const Bivariate common = line(2, -1, Rational(-1, 3)), f = times(common, line(1, 1, -5)),
+                  g = times(common, line(1, -3, 7)), zero{{{0, 0}, Rational(0)}};
+  for (const auto& [a, b] :
+       std::vector<std::pair<Bivariate, Bivariate>>{{f, g}, {common, common}, {common, zero}, {zero, common}}) {
     Solve_control control;
     control.max_cells = 1000;
     const Point_set set = solve(a, b, control);
@@ -450,7 +492,8 @@ TEST_CASE("systems without solutions in the square leave nothing", "[points]")
     // A positive conic, or two parallel lines, or a meeting far outside.
     const Bivariate parallel = line(1, 2, Rational(-random.between(1, 2)));
     Bivariate f = parallel, g = combined(parallel, Rational(1), {{{0, 0}, two_to(-random.between(1, 6))}});
-    if (i % 3 == 0) g = {{{2, 0}, Rational(1)}, {{0, 2}, Rational(1)}, {{1, 1}, Rational(1)}, {{0, 0}, Rational(1, 100)}};
+    if (i % 3 == 0)
+      g = {{{2, 0}, Rational(1)}, {{0, 2}, Rational(1)}, {{1, 1}, Rational(1)}, {{0, 0}, Rational(1, 100)}};
     if (i % 3 == 1) g = line_through({Rational(2), Rational(-1, 2)}, random), f = line(1, 2, -1);
     if (i % 3 == 1 && cross(f, g) == 0) continue;
     const Point_set set = solve(f, g);
@@ -473,7 +516,9 @@ TEST_CASE("a point beside a face is not on it though the equations meet elsewher
         };
         const Point on = place(0, Rational(1, 5)), beside = place(delta, Rational(9, 10));
         const auto f = line_through(on, beside);
-        const auto level = [&](const Rational& along) { return variable == 0 ? line(0, 1, Rational(-along)) : line(1, 0, Rational(-along)); };
+        const auto level = [&](const Rational& along) {
+          return variable == 0 ? line(0, 1, Rational(-along)) : line(1, 0, Rational(-along));
+        };
         const auto g = times(level(Rational(1, 5)), level(Rational(9, 10)));
         const Point_set set = solve(f, g);
         const std::string fault = fault_of(set, {{on}, {beside}}, false);
@@ -499,7 +544,8 @@ TEST_CASE("equations of huge, tiny and unequal size lose no solution", "[points]
   Random random(99);
   Samples samples;
   std::size_t decided = 0;
-  for (const char* factor : {"1e150", "1e300", "1e305", "1e308", "1e320", "1e400", "1e-150", "1e-300", "1e-310", "1e-320", "1e-400"})
+  for (const char* factor :
+       {"1e150", "1e300", "1e305", "1e308", "1e320", "1e400", "1e-150", "1e-300", "1e-310", "1e-320", "1e-400"})
     for (int i = 0; i < 3; ++i) {
       const Point p{random.unit_rational(), random.unit_rational()};
       auto f = line_through(p, random), other = line_through(p, random);
@@ -516,7 +562,8 @@ TEST_CASE("equations of huge, tiny and unequal size lose no solution", "[points]
       std::size_t points = 0, undecided = 0;
       for (const auto& found : set.points) points += contains(found.box, p);
       for (const auto& box : set.undecided) undecided += contains(box, p);
-      samples.expect(points + undecided > 0 && points <= 1 && set.points.size() == points, [&] { return std::string(factor) + " at " + show(p) + show_system(f, g); });
+      samples.expect(points + undecided > 0 && points <= 1 && set.points.size() == points,
+                     [&] { return std::string(factor) + " at " + show(p) + show_system(f, g); });
       decided += set.undecided.empty();
     }
   LOCUS_REQUIRE_SAMPLES(samples, 20);

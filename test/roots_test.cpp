@@ -9,6 +9,7 @@
 
 using namespace locus_test;
 using locus::Bounded;
+using locus::exact_rational;
 using locus::Filter_counts;
 using locus::Interval;
 using locus::Isolated_root;
@@ -16,7 +17,6 @@ using locus::Root_set;
 using locus::Rung;
 using locus::Scaled_integer;
 using locus::Univariate;
-using locus::exact_rational;
 using locus::with_upward_rounding;
 
 namespace {
@@ -36,7 +36,8 @@ struct Subject {
   Bernstein<Rational, 1> exact() const { return bernstein_on(f, exact_rational(lo), exact_rational(hi), degree); }
   std::string describe() const
   {
-    return "degree " + show(degree) + " on [" + show(lo) + ", " + show(hi) + "], slack " + show(slack) + ", monomials " + show(f);
+    return "degree " + show(degree) + " on [" + show(lo) + ", " + show(hi) + "], slack " + show(slack) +
+           ", monomials " + show(f);
   }
 };
 
@@ -48,7 +49,8 @@ Subject on_unit(Polynomial f)
   return s;
 }
 
-Subject with_known_roots(const std::vector<std::pair<Rational, int>>& roots, double lo, double hi, const Polynomial& other = {Rational(1)})
+Subject with_known_roots(const std::vector<std::pair<Rational, int>>& roots, double lo, double hi,
+                         const Polynomial& other = {Rational(1)})
 {
   Subject s;
   s.f = other;
@@ -69,7 +71,8 @@ Bernstein<Bounded, 1> loosened(const Bernstein<Bounded, 1>& form, double slack, 
   if (slack == 0) return form;
   const double error = slack * form.norm();
   Bernstein<double, 1> values = form.values();
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] += error * 0.9 * (random.chance(50) ? random.symmetric() : random.chance(50) ? 1 : -1);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] += error * 0.9 * (random.chance(50) ? random.symmetric() : random.chance(50) ? 1 : -1);
   return {std::move(values), form.error() + error};
 }
 
@@ -84,7 +87,9 @@ Univariate univariate(const Subject& s, Filter_counts& counts, Random& random)
       const auto part = bernstein_on(s.f, exact_rational(a), exact_rational(b), s.degree);
       return locus::bounded(locus::converted<Interval>(part, [](const Rational& c) { return locus::enclosing(c); }));
     };
-  return Univariate(loosened(locus::bounded(intervals), s.slack, random), s.lo, s.hi, [exact] { return Bernstein<Scaled_integer, 1>(exact); }, &counts, fresh);
+  return Univariate(
+    loosened(locus::bounded(intervals), s.slack, random), s.lo, s.hi,
+    [exact] { return Bernstein<Scaled_integer, 1>(exact); }, &counts, fresh);
 }
 
 /// A second opinion on a polynomial: Sturm's chains of f, of gcd(f, f'), of gcd of that and its derivative, …
@@ -127,8 +132,10 @@ std::string fault_of(const Root_set<Coordinate>& set, const Subject& s, const Se
   if (set.identically_zero) return "called zero";
   if (!set.complete) return "not complete";
   const int expected = opinion.distinct(lo, hi);
-  if (static_cast<int>(set.roots.size()) != expected) return "found " + std::to_string(set.roots.size()) + " roots of " + std::to_string(expected);
-  if (s.is_known && set.roots.size() != s.known.size()) return "found " + std::to_string(set.roots.size()) + " roots, known are " + std::to_string(s.known.size());
+  if (static_cast<int>(set.roots.size()) != expected)
+    return "found " + std::to_string(set.roots.size()) + " roots of " + std::to_string(expected);
+  if (s.is_known && set.roots.size() != s.known.size())
+    return "found " + std::to_string(set.roots.size()) + " roots, known are " + std::to_string(s.known.size());
   if (set.gaps.size() != set.roots.size() + 1) return "the number of gaps is not one more than that of roots";
   Rational before = lo;
   for (std::size_t i = 0; i < set.roots.size(); ++i) {
@@ -139,25 +146,30 @@ std::string fault_of(const Root_set<Coordinate>& set, const Subject& s, const Se
     if (i > 0 && a < as_rational(set.roots[i - 1].hi)) return name + "overlaps the one before";
     if (root.is_exact()) {
       if (opinion.sign(a) != 0) return name + "no zero there";
-      if (opinion.multiplicity_at(a) != root.multiplicity) return name + "wrong multiplicity " + std::to_string(root.multiplicity);
+      if (opinion.multiplicity_at(a) != root.multiplicity)
+        return name + "wrong multiplicity " + std::to_string(root.multiplicity);
     } else {
       if (opinion.between(a, b) != 1) return name + "holds " + std::to_string(opinion.between(a, b)) + " roots";
       if (opinion.sign(a) == 0 || opinion.sign(b) == 0) return name + "an end is a root";
-      if (opinion.multiplicity_between(a, b) != root.multiplicity) return name + "wrong multiplicity " + std::to_string(root.multiplicity);
+      if (opinion.multiplicity_between(a, b) != root.multiplicity)
+        return name + "wrong multiplicity " + std::to_string(root.multiplicity);
     }
     if (s.is_known) {
       const auto& [x, multiplicity] = s.known[i];
-      if (x < a || x > b || multiplicity != root.multiplicity) return name + "the known root is " + show(x) + ", " + std::to_string(multiplicity) + " times";
+      if (x < a || x > b || multiplicity != root.multiplicity)
+        return name + "the known root is " + show(x) + ", " + std::to_string(multiplicity) + " times";
     }
     if (root.factor) { // the factor changes sign at the root
       const auto factor = root.factor->rational();
       const auto value = [&](const Rational& x) { return plain_value(factor, {Rational((x - lo) / (hi - lo))}); };
-      if (root.is_exact() ? value(a) != 0 : sgn(value(a)) * sgn(value(b)) >= 0) return name + "its factor has no simple root there";
+      if (root.is_exact() ? value(a) != 0 : sgn(value(a)) * sgn(value(b)) >= 0)
+        return name + "its factor has no simple root there";
     }
     // The gap before it, unless empty.
     if (!(i == 0 && root.is_exact() && a == lo)) {
       const Rational x = (before + a) / 2;
-      if (opinion.sign(x) == 0 || locus::sign_of_int(opinion.sign(x)) != set.gaps[i]) return name + "wrong sign before it";
+      if (opinion.sign(x) == 0 || locus::sign_of_int(opinion.sign(x)) != set.gaps[i])
+        return name + "wrong sign before it";
     }
     before = b;
   }
@@ -176,7 +188,9 @@ struct Fates {
 void check(const Subject& s, Random& random, Samples& samples, Fates& fates, bool may_be_incomplete = false)
 {
   const Second_opinion opinion(s.f);
-  const auto say = [&](const std::string& how, const std::string& fault) { return how + ": " + fault + "\n" + s.describe(); };
+  const auto say = [&](const std::string& how, const std::string& fault) {
+    return how + ": " + fault + "\n" + s.describe();
+  };
 
   const Bernstein<Scaled_integer, 1> exact_form(s.exact());
   const auto in_rationals = locus::exact_roots(exact_form, exact_rational(s.lo), exact_rational(s.hi));
@@ -214,9 +228,12 @@ void check(const Subject& s, Random& random, Samples& samples, Fates& fates, boo
   }
   fault = fault_of(set, s, opinion);
   samples.expect(fault.empty(), [&] { return say("isolated", fault); });
-  samples.expect(set.roots.size() == in_rationals.roots.size() && set.gaps == in_rationals.gaps, [&] { return say("isolated", "filtered and exact disagree"); });
+  samples.expect(set.roots.size() == in_rationals.roots.size() && set.gaps == in_rationals.gaps,
+                 [&] { return say("isolated", "filtered and exact disagree"); });
   const bool exactly = counts.failures[index(Rung::bounded)] > 0;
-  samples.expect(counts.calls[index(Rung::bounded)] > 0 && (exactly || s.slack > 0 || counts.calls[index(Rung::bounded)] > 0), [&] { return say("isolated", "counts"); });
+  samples.expect(counts.calls[index(Rung::bounded)] > 0 &&
+                   (exactly || s.slack > 0 || counts.calls[index(Rung::bounded)] > 0),
+                 [&] { return say("isolated", "counts"); });
   (exactly ? fates.exact : fates.filtered)++;
   fates.roots += set.roots.size();
   if (!fault.empty()) return;
@@ -226,12 +243,17 @@ void check(const Subject& s, Random& random, Samples& samples, Fates& fates, boo
     for (const auto* after : {&refined[i].first, &filtered_only[i]}) {
       const Rational a = exact_rational(after->lo), b = exact_rational(after->hi);
       const bool inside = before.lo <= after->lo && after->hi <= before.hi && after->lo <= after->hi;
-      samples.expect(inside && (after->is_exact() ? opinion.sign(a) == 0 : opinion.between(a, b) == 1 && opinion.sign(a) != 0 && opinion.sign(b) != 0),
+      samples.expect(inside &&
+                       (after->is_exact() ? opinion.sign(a) == 0
+                                          : opinion.between(a, b) == 1 && opinion.sign(a) != 0 && opinion.sign(b) != 0),
                      [&] { return say("refined to " + show(after->lo) + ", " + show(after->hi), "the root is lost"); });
     }
     const auto& [narrow, width] = refined[i];
-    const bool neighbours = std::nextafter(std::nextafter(narrow.lo, 2.0 + s.hi), 2.0 + s.hi) >= narrow.hi; // doubles end here
-    samples.expect(narrow.hi - narrow.lo <= width || neighbours, [&, w = width, lo = narrow.lo, hi = narrow.hi] { return say("refined to " + show(lo) + ", " + show(hi), "wider than " + show(w)); });
+    const bool neighbours =
+      std::nextafter(std::nextafter(narrow.lo, 2.0 + s.hi), 2.0 + s.hi) >= narrow.hi; // doubles end here
+    samples.expect(narrow.hi - narrow.lo <= width || neighbours, [&, w = width, lo = narrow.lo, hi = narrow.hi] {
+      return say("refined to " + show(lo) + ", " + show(hi), "wider than " + show(w));
+    });
     fates.refined += !before.is_exact();
   }
 }
@@ -250,18 +272,28 @@ TEST_CASE("polynomials with known rational roots, simple and multiple, are isola
     for (int k = random.between(0, 6); k > 0; --k) {
       Rational x;
       switch (random.below(7)) {
-      case 0: x = Rational(random.below(2)); break;                                         // an end
-      case 1: x = Rational(random.below(17)) / 16; break;                                   // a point where Descartes' method cuts
-      case 2: x = random.rational(); break;                                                 // anywhere
-      case 3: x = roots.empty() ? Rational(1, 2) : Rational(roots.back().first + two_to(-random.between(3, 30))); break; // close
-      default: x = random.unit_rational();
+      case 0:
+        x = Rational(random.below(2));
+        break; // an end
+      case 1:
+        x = Rational(random.below(17)) / 16;
+        break; // a point where Descartes' method cuts
+      case 2:
+        x = random.rational();
+        break; // anywhere
+      case 3:
+        x = roots.empty() ? Rational(1, 2) : Rational(roots.back().first + two_to(-random.between(3, 30)));
+        break; // close
+      default:
+        x = random.unit_rational();
       }
       bool is_new = true;
       for (const auto& r : roots) is_new = is_new && r.first != x;
       if (is_new) roots.emplace_back(x, random.chance(70) ? 1 : random.between(2, 3));
     }
     Polynomial other{random.chance(50) ? Rational(1) : Rational(-3, 7)};
-    if (random.chance(30)) other = times(other, {Rational(random.between(1, 5)), Rational(-1), Rational(1)}); // no real roots
+    if (random.chance(30))
+      other = times(other, {Rational(random.between(1, 5)), Rational(-1), Rational(1)}); // no real roots
     Subject s = with_known_roots(roots, 0, 1, other);
     s.degree += random.chance(20) ? random.below(3) : 0;
     s.has_fresh = random.chance(50);
@@ -282,12 +314,29 @@ TEST_CASE("roots at both ends, in the middle and side by side", "[roots]")
   Fates fates;
   const Rational half(1, 2), third(1, 3), tiny = two_to(-30);
   using Roots = std::vector<std::pair<Rational, int>>;
-  for (const Roots& roots : {Roots{{0, 1}, {1, 1}}, Roots{{0, 2}, {1, 3}}, Roots{{half, 1}}, Roots{{half, 2}}, Roots{{half, 3}}, Roots{{0, 1}, {half, 1}, {1, 1}},
-                             Roots{{0, 3}, {half, 4}, {1, 2}}, Roots{{half, 1}, {Rational(half + tiny), 1}}, Roots{{half, 2}, {Rational(half + tiny), 1}},
-                             Roots{{third, 1}, {Rational(third + tiny), 1}}, Roots{{third, 3}, {Rational(third + tiny), 2}}, Roots{{0, 1}, {tiny, 1}},
-                             Roots{{tiny, 1}, {Rational(2 * tiny), 1}}, Roots{{1, 1}, {Rational(1 - tiny), 1}}, Roots{{Rational(1 - tiny), 2}, {Rational(1 - 2 * tiny), 1}},
-                             Roots{{Rational(-tiny), 1}, {Rational(1 + tiny), 1}}, Roots{{Rational(-tiny), 2}, {Rational(1 + tiny), 2}}, Roots{{0, 1}, {Rational(-tiny), 1}},
-                             Roots{{Rational(1, 4), 1}, {half, 1}, {Rational(3, 4), 1}, {Rational(3, 8), 1}}, Roots{{third, 5}}, Roots{}, Roots{{0, 6}}, Roots{{1, 6}},
+  for (const Roots& roots : {Roots{{0, 1}, {1, 1}},
+                             Roots{{0, 2}, {1, 3}},
+                             Roots{{half, 1}},
+                             Roots{{half, 2}},
+                             Roots{{half, 3}},
+                             Roots{{0, 1}, {half, 1}, {1, 1}},
+                             Roots{{0, 3}, {half, 4}, {1, 2}},
+                             Roots{{half, 1}, {Rational(half + tiny), 1}},
+                             Roots{{half, 2}, {Rational(half + tiny), 1}},
+                             Roots{{third, 1}, {Rational(third + tiny), 1}},
+                             Roots{{third, 3}, {Rational(third + tiny), 2}},
+                             Roots{{0, 1}, {tiny, 1}},
+                             Roots{{tiny, 1}, {Rational(2 * tiny), 1}},
+                             Roots{{1, 1}, {Rational(1 - tiny), 1}},
+                             Roots{{Rational(1 - tiny), 2}, {Rational(1 - 2 * tiny), 1}},
+                             Roots{{Rational(-tiny), 1}, {Rational(1 + tiny), 1}},
+                             Roots{{Rational(-tiny), 2}, {Rational(1 + tiny), 2}},
+                             Roots{{0, 1}, {Rational(-tiny), 1}},
+                             Roots{{Rational(1, 4), 1}, {half, 1}, {Rational(3, 4), 1}, {Rational(3, 8), 1}},
+                             Roots{{third, 5}},
+                             Roots{},
+                             Roots{{0, 6}},
+                             Roots{{1, 6}},
                              Roots{{third, 1}, {Rational(third + tiny), 1}, {Rational(third + 2 * tiny), 1}}}) {
     for (const bool fresh : {false, true})
       for (const double slack : {0.0, 0x1p-20, 1.0}) {
@@ -326,7 +375,7 @@ TEST_CASE("Chebyshev polynomials up to degree 40 have the roots that the cosine 
   for (int n = 1; n <= 40; ++n) {
     if (n < 12 || n % 7 == 5) {
       const Subject s = on_unit(current);
-      const double width = n < 20 ? 1e-14 : 1e-8; // exact signs of high degrees are slow
+      const double width = n < 20 ? 1e-14 : 1e-8;   // exact signs of high degrees are slow
       if (n < 20) check(s, random, samples, fates); // above, n sign changes and the cosine say it all
       Filter_counts counts;
       Root_set<double> set;
@@ -339,10 +388,12 @@ TEST_CASE("Chebyshev polynomials up to degree 40 have the roots that the cosine 
       for (int k = 0; right && k < n; ++k) {
         const double known = 0.5 - 0.5 * std::cos((2 * k + 1) * 3.14159265358979323846 / (2 * n));
         const auto& root = set.roots[static_cast<std::size_t>(k)];
-        right = root.lo - 1e-14 < known && known < root.hi + 1e-14 && root.hi - root.lo <= width && root.multiplicity == 1;
+        right =
+          root.lo - 1e-14 < known && known < root.hi + 1e-14 && root.hi - root.lo <= width && root.multiplicity == 1;
         const auto signs = with_integers(current);
         const int below = sign_at(signs, exact_rational(root.lo)), above = sign_at(signs, exact_rational(root.hi));
-        right = right && (root.is_exact() ? below == 0 : below * above < 0) && (k == 0 || set.roots[static_cast<std::size_t>(k) - 1].hi <= root.lo);
+        right = right && (root.is_exact() ? below == 0 : below * above < 0) &&
+                (k == 0 || set.roots[static_cast<std::size_t>(k) - 1].hi <= root.lo);
         right = right && set.gaps[static_cast<std::size_t>(k)] == ((n - k) % 2 ? Sign::negative : Sign::positive);
       }
       samples.expect(right, [&] { return "degree " + show(n); });
@@ -364,7 +415,8 @@ TEST_CASE("irrational roots close together are told apart", "[roots]")
     // (u - m)² - 2·4^(-k): two roots √2·2^(1-k) apart; then with both a third root near, and squared.
     for (const Rational& m : {Rational(1, 2), Rational(1, 3)}) {
       const Polynomial pair{Rational(m * m - 2 * two_to(-2 * k)), Rational(-2 * m), Rational(1)};
-      for (const auto& f : {pair, times(pair, {Rational(-m), Rational(1)}), times(pair, {Rational(m + two_to(-k)), Rational(-1)}), times(pair, pair)}) {
+      for (const auto& f : {pair, times(pair, {Rational(-m), Rational(1)}),
+                            times(pair, {Rational(m + two_to(-k)), Rational(-1)}), times(pair, pair)}) {
         Subject s = on_unit(f);
         check(s, random, samples, fates);
         s.has_fresh = true;
@@ -386,9 +438,14 @@ TEST_CASE("roots far closer than doubles are told apart in rationals", "[roots]"
     check(with_known_roots({{x, 1}, {near, 1}}, 0, 1), random, samples, fates, true);
     check(with_known_roots({{x, 2}, {near, 1}, {Rational(1, 2), 1}}, 0, 1), random, samples, fates, true);
     check(with_known_roots({{0, 1}, {two_to(-k), 3}}, 0, 1), random, samples, fates, true);
-    check(with_known_roots({{Rational(1, 2), 1}, {Rational(Rational(1, 2) + two_to(-k)), 1}, {Rational(Rational(1, 2) - two_to(-k)), 2}}, 0, 1), random, samples, fates, true);
+    check(
+      with_known_roots(
+        {{Rational(1, 2), 1}, {Rational(Rational(1, 2) + two_to(-k)), 1}, {Rational(Rational(1, 2) - two_to(-k)), 2}},
+        0, 1),
+      random, samples, fates, true);
     check(on_unit({Rational(x * x - 2 * two_to(-2 * k)), Rational(-2 * x), Rational(1)}), random, samples, fates, true);
-    check(on_unit({Rational(x * x + 2 * two_to(-2 * k)), Rational(-2 * x), Rational(1)}), random, samples, fates, true); // none, nearly
+    check(on_unit({Rational(x * x + 2 * two_to(-2 * k)), Rational(-2 * x), Rational(1)}), random, samples, fates,
+          true); // none, nearly
   }
   LOCUS_REQUIRE_SAMPLES(samples, 24);
 }
@@ -412,7 +469,9 @@ TEST_CASE("a polynomial that is zero is told apart from one without roots", "[ro
   CHECK(none.gaps == std::vector<Sign>{Sign::positive});
   CHECK(negative.gaps == std::vector<Sign>{Sign::negative});
   CHECK(counts.calls[index(Rung::exact)] >= 1);
-  CHECK(locus::exact_roots(Bernstein<Scaled_integer, 1>(Bernstein<Rational, 1>(Degrees<1>{4})), Rational(0), Rational(1)).identically_zero);
+  CHECK(
+    locus::exact_roots(Bernstein<Scaled_integer, 1>(Bernstein<Rational, 1>(Degrees<1>{4})), Rational(0), Rational(1))
+      .identically_zero);
 }
 
 // --------------------------------------------------------------------------------------------- random polynomials
@@ -430,7 +489,8 @@ TEST_CASE("random polynomials of degrees 1 to 30 have as many roots as Sturm's t
       for (int k = 0; k <= n; ++k) {
         const Rational c(random.chance(10) ? Integer(0) : random.integer(bits));
         Polynomial basis{Rational(c * choose(n, k))};
-        for (int j = 0; j < n; ++j) basis = times(basis, j < k ? Polynomial{Rational(0), Rational(1)} : Polynomial{Rational(1), Rational(-1)});
+        for (int j = 0; j < n; ++j)
+          basis = times(basis, j < k ? Polynomial{Rational(0), Rational(1)} : Polynomial{Rational(1), Rational(-1)});
         f = plus(f, basis);
       }
       if (f.empty()) continue;
@@ -464,15 +524,19 @@ TEST_CASE("coefficients hidden by their error never cost a root", "[roots]")
     Root_set<double> set;
     with_upward_rounding([&] {
       Bernstein<double, 1> values(Degrees<1>{n});
-      for (std::size_t k = 0; k < values.size(); ++k) values[k] = locus::nearest_double(c[k]) + error * (random.chance(50) ? random.symmetric() : random.between(-1, 1));
-      set = locus::isolate_roots(Univariate(Bernstein<Bounded, 1>(values, error), 0, 1, [truth] { return Bernstein<Scaled_integer, 1>(truth); }, &counts));
+      for (std::size_t k = 0; k < values.size(); ++k)
+        values[k] =
+          locus::nearest_double(c[k]) + error * (random.chance(50) ? random.symmetric() : random.between(-1, 1));
+      set = locus::isolate_roots(Univariate(
+        Bernstein<Bounded, 1>(values, error), 0, 1, [truth] { return Bernstein<Scaled_integer, 1>(truth); }, &counts));
     });
     (counts.failures[index(Rung::bounded)] > 0 ? fates.exact : fates.filtered)++;
     Subject s;
     s.degree = n;
     for (int k = 0; k <= n; ++k) {
       Polynomial basis{Rational(c[static_cast<std::size_t>(k)] * choose(n, k))};
-      for (int j = 0; j < n; ++j) basis = times(basis, j < k ? Polynomial{Rational(0), Rational(1)} : Polynomial{Rational(1), Rational(-1)});
+      for (int j = 0; j < n; ++j)
+        basis = times(basis, j < k ? Polynomial{Rational(0), Rational(1)} : Polynomial{Rational(1), Rational(-1)});
       s.f = plus(s.f, basis);
     }
     const std::string fault = fault_of(set, s, Second_opinion(s.f));
@@ -491,7 +555,8 @@ TEST_CASE("two unknown coefficients between different signs may hide two more ro
   Root_set<double> set;
   with_upward_rounding([&] {
     const Bernstein<double, 1> values(Degrees<1>{3}, {1.1, -1, 1, -1.1});
-    set = locus::isolate_roots(Univariate(Bernstein<Bounded, 1>(values, 1), 0, 1, [truth] { return Bernstein<Scaled_integer, 1>(truth); }, &counts));
+    set = locus::isolate_roots(Univariate(
+      Bernstein<Bounded, 1>(values, 1), 0, 1, [truth] { return Bernstein<Scaled_integer, 1>(truth); }, &counts));
   });
   CHECK(set.roots.size() == 3u);
 }
@@ -524,7 +589,8 @@ TEST_CASE("a cut that no double represents is not made", "[roots]")
   Fates fates;
   for (int i = 0; i < 100; ++i) {
     const Rational x = exact_rational(lo) + random.unit_rational() * Rational(3, 4) * two_to(-37);
-    check(with_known_roots({{x, 1}, {Rational(x + random.between(1, 40) * two_to(-54)), 1}}, lo, 1), random, samples, fates, true);
+    check(with_known_roots({{x, 1}, {Rational(x + random.between(1, 40) * two_to(-54)), 1}}, lo, 1), random, samples,
+          fates, true);
   }
   LOCUS_REQUIRE_SAMPLES(samples, 200);
   CHECK(fates.incomplete < 100);
@@ -543,7 +609,9 @@ TEST_CASE("roots are isolated on intervals that doubles hardly resolve", "[roots
     for (int count = random.between(2, 5), j = 0; j < count; ++j) {
       const Rational u = random.unit_rational();
       roots.emplace_back(Rational(exact_rational(lo) + u * two_to(-k)), 1);
-      if (random.chance(40)) roots.emplace_back(Rational(exact_rational(lo) + (u + two_to(-random.between(4, std::min(20, 50 - k)))) * two_to(-k)), 1);
+      if (random.chance(40))
+        roots.emplace_back(
+          Rational(exact_rational(lo) + (u + two_to(-random.between(4, std::min(20, 50 - k)))) * two_to(-k)), 1);
     }
     std::sort(roots.begin(), roots.end());
     roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
@@ -563,7 +631,8 @@ TEST_CASE("roots are isolated on intervals that are not dyadic", "[roots]")
     if (!(a < b)) continue;
     std::vector<std::pair<Rational, int>> roots;
     for (int k = random.between(1, 5); k > 0; --k)
-      roots.emplace_back(Rational(exact_rational(a) + random.unit_rational() * (exact_rational(b) - exact_rational(a))), 1);
+      roots.emplace_back(Rational(exact_rational(a) + random.unit_rational() * (exact_rational(b) - exact_rational(a))),
+                         1);
     std::sort(roots.begin(), roots.end());
     roots.erase(std::unique(roots.begin(), roots.end()), roots.end());
     check(with_known_roots(roots, a, b), random, samples, fates, true);
@@ -579,16 +648,22 @@ TEST_CASE("whether a root lies in a closed interval is decided exactly, ends inc
   std::size_t yes = 0, no = 0;
   for (int i = 0; i < 300; ++i) {
     std::vector<Rational> roots;
-    for (int k = random.between(0, 4); k > 0; --k) roots.push_back(random.chance(30) ? random.rational() : random.unit_rational());
+    for (int k = random.between(0, 4); k > 0; --k)
+      roots.push_back(random.chance(30) ? random.rational() : random.unit_rational());
     Polynomial f = with_roots(roots, Rational(random.between(1, 9)));
     if (random.chance(30)) f = times(f, {Rational(-1, 2), Rational(0), Rational(1)}); // with ±1/√2
-    const auto an_end = [&] { return !roots.empty() && random.chance(40) ? roots[static_cast<std::size_t>(random.below(static_cast<int>(roots.size())))] : random.rational(); };
+    const auto an_end = [&] {
+      return !roots.empty() && random.chance(40)
+               ? roots[static_cast<std::size_t>(random.below(static_cast<int>(roots.size())))]
+               : random.rational();
+    };
     Rational lo = an_end(), hi = random.chance(15) ? lo : an_end();
     if (random.chance(20)) hi = Rational(lo + two_to(-random.between(20, 200)));
     if (random.chance(20)) lo = Rational(hi - two_to(-random.between(20, 200)));
     if (lo > hi) std::swap(lo, hi);
     const bool expected = f.size() > 1 && Sturm(f).closed(lo, hi) > 0;
-    samples.expect(locus::has_root_within(with_integers(f), lo, hi) == expected, [&] { return show(f) + " in [" + show(lo) + ", " + show(hi) + "]"; });
+    samples.expect(locus::has_root_within(with_integers(f), lo, hi) == expected,
+                   [&] { return show(f) + " in [" + show(lo) + ", " + show(hi) + "]"; });
     (expected ? yes : no)++;
   }
   LOCUS_REQUIRE_SAMPLES(samples, 300);
@@ -631,12 +706,17 @@ TEST_CASE("a polynomial's filtered value keeps within its error, and its sign is
     });
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Rational truth = horner(s.f, exact_rational(points[k]));
-      samples.expect(abs(Rational(exact_rational(values[k].value) - truth)) <= exact_rational(values[k].error), [&] { return "value at " + show(points[k]) + " of " + s.describe(); });
-      samples.expect(signs[k] == locus::sign_of(truth), [&] { return "sign at " + show(points[k]) + " of " + s.describe(); });
+      samples.expect(abs(Rational(exact_rational(values[k].value) - truth)) <= exact_rational(values[k].error),
+                     [&] { return "value at " + show(points[k]) + " of " + s.describe(); });
+      samples.expect(signs[k] == locus::sign_of(truth),
+                     [&] { return "sign at " + show(points[k]) + " of " + s.describe(); });
     }
-    samples.expect(counts.calls[index(Rung::bounded)] == points.size(), [&] { return "each sign asks the bounded rung; " + s.describe(); });
-    samples.expect(counts.failures[index(Rung::bounded)] == (s.has_fresh ? counts.calls[index(Rung::interval)] : counts.calls[index(Rung::exact)]) &&
-                     counts.failures[index(Rung::exact)] == 0 && (!s.has_fresh || counts.failures[index(Rung::interval)] == counts.calls[index(Rung::exact)]),
+    samples.expect(counts.calls[index(Rung::bounded)] == points.size(),
+                   [&] { return "each sign asks the bounded rung; " + s.describe(); });
+    samples.expect(counts.failures[index(Rung::bounded)] ==
+                       (s.has_fresh ? counts.calls[index(Rung::interval)] : counts.calls[index(Rung::exact)]) &&
+                     counts.failures[index(Rung::exact)] == 0 &&
+                     (!s.has_fresh || counts.failures[index(Rung::interval)] == counts.calls[index(Rung::exact)]),
                    [&] { return "each failure asks the next rung; " + s.describe(); });
     exact_calls += counts.calls[index(Rung::exact)];
     interval_calls += counts.calls[index(Rung::interval)];

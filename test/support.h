@@ -115,12 +115,18 @@ public:
   {
     if (chance(12)) return 0.0;
     switch (size) {
-    case Size::integers: return static_cast<double>(between(-3, 3));
-    case Size::plain: return symmetric();
-    case Size::tiny: return symmetric() * 1e-160;
-    case Size::subnormal: return symmetric() * (chance(50) ? 1e-310 : 1e-321);
-    case Size::large: return symmetric() * 1e150;
-    default: return std::ldexp(symmetric(), between(-400, 400));
+    case Size::integers:
+      return static_cast<double>(between(-3, 3));
+    case Size::plain:
+      return symmetric();
+    case Size::tiny:
+      return symmetric() * 1e-160;
+    case Size::subnormal:
+      return symmetric() * (chance(50) ? 1e-310 : 1e-321);
+    case Size::large:
+      return symmetric() * 1e150;
+    default:
+      return std::ldexp(symmetric(), between(-400, 400));
     }
   }
 
@@ -165,8 +171,7 @@ public:
   void expect(bool ok, Describe describe)
   {
     ++count_;
-    if (!ok && failures_++ == 0)
-      first_ = "sample " + std::to_string(count_) + ": " + describe();
+    if (!ok && failures_++ == 0) first_ = "sample " + std::to_string(count_) + ": " + describe();
   }
   void expect(bool ok, const char* what)
   {
@@ -186,11 +191,11 @@ private:
 };
 
 /// Ends a sampling test: fails with the first failure, or where fewer samples were taken than meant.
-#define LOCUS_REQUIRE_SAMPLES(samples, at_least)                                                                      \
-  do {                                                                                                                \
-    INFO((samples).report());                                                                                         \
-    CHECK((samples).count() >= static_cast<std::size_t>(at_least));                                                   \
-    REQUIRE((samples).failures() == 0);                                                                               \
+#define LOCUS_REQUIRE_SAMPLES(samples, at_least)                                                                       \
+  do {                                                                                                                 \
+    INFO((samples).report());                                                                                          \
+    CHECK((samples).count() >= static_cast<std::size_t>(at_least));                                                    \
+    REQUIRE((samples).failures() == 0);                                                                                \
   } while (false)
 
 /// What `f` throws, as a number: 0 nothing, 1 an exception of type E, 2 another one.
@@ -220,8 +225,10 @@ inline const char* mode_name(int mode)
 /// CGAL leaves alone where doubles live in SSE registers.)
 inline int observed_mode()
 {
-  const bool up = locus::detail::opaque_sum(1.0, 0x1p-80) > 1.0, minus_up = locus::detail::opaque_sum(-1.0, 0x1p-80) > -1.0;
-  const bool down = locus::detail::opaque_sum(1.0, -0x1p-80) < 1.0, minus_down = locus::detail::opaque_sum(-1.0, -0x1p-80) < -1.0;
+  const bool up = locus::detail::opaque_sum(1.0, 0x1p-80) > 1.0,
+             minus_up = locus::detail::opaque_sum(-1.0, 0x1p-80) > -1.0;
+  const bool down = locus::detail::opaque_sum(1.0, -0x1p-80) < 1.0,
+             minus_down = locus::detail::opaque_sum(-1.0, -0x1p-80) < -1.0;
   if (up && minus_up && !down && !minus_down) return FE_UPWARD;
   if (!up && !minus_up && down && minus_down) return FE_DOWNWARD;
   if (!up && minus_up && down && !minus_down) return FE_TOWARDZERO;

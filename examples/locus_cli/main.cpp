@@ -21,6 +21,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -182,17 +183,22 @@ int run(const Settings& settings)
   options.control.max_cells = settings.max_cells;
   options.control.max_seconds = settings.max_seconds;
   options.control.cancel = cancel;
-  options.control.progress = [&bar](std::size_t done, std::size_t open) { bar.show(done, open); };
+  options.control.progress = [&bar](std::size_t done, std::size_t open) { bar.show("cells", done, open); };
   options.keep_cells = !settings.svg.empty();
   const locus::Curve_2 &first = *job.inputs[0].curve, &second = *job.inputs[1].curve;
   const locus::Locus<2> result = locus::untrimmed_bisector(first, second, options);
   std::signal(SIGINT, SIG_DFL);
   interrupted = nullptr;
-  bar.clear();
 
   const double wanted = as_double(tolerance ? *tolerance : job.options.tolerance);
   const std::string json = !settings.json.empty() ? settings.json : settings.svg == standard ? "" : standard;
-  if (!json.empty()) write_output(json, [&](std::ostream& out) { locus::write_json(out, result, wanted); });
+  // A bar on a terminal must not run into a result on the same terminal.
+  std::function<void(std::size_t, std::size_t)> on_arc;
+  if (json != standard || !on_terminal || isatty(STDOUT_FILENO) == 0)
+    on_arc = [&bar](std::size_t done, std::size_t open) { bar.show("arcs", done, open); };
+  else bar.clear();
+  if (!json.empty()) write_output(json, [&](std::ostream& out) { locus::write_json(out, result, wanted, on_arc); });
+  bar.clear();
   if (!settings.svg.empty())
     write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, result, {first, second}); });
   return result.status() == locus::Status::certified ? answered : something_undecided;

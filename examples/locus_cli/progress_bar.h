@@ -18,13 +18,14 @@ public:
   Progress_bar& operator=(const Progress_bar&) = delete;
   ~Progress_bar() { clear(); }
 
-  void show(std::size_t done, std::size_t open)
+  /// `done` and `open` count `what`, e.g. "cells".
+  void show(const char* what, std::size_t done, std::size_t open)
   {
     if (style_ == Style::none) return;
     const double seconds = elapsed();
     if (seconds < next_) return;
     next_ = seconds + (style_ == Style::bar ? 0.1 : 1.0);
-    const std::string counts = std::to_string(done) + " cells done, " + std::to_string(open) + " open, " +
+    const std::string counts = std::to_string(done) + " " + what + " done, " + std::to_string(open) + " open, " +
                                std::to_string(seconds).substr(0, 5) + " s";
     if (style_ == Style::lines) {
       out_ << "locus: " << counts << std::endl;

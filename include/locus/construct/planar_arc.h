@@ -277,8 +277,10 @@ private:
     return result;
   }
 
-  /// Proved bound of the distance between the arc from a to b and its chord: h²/8 times the greatest second derivative
-  /// (same parameter on both, so it holds both ways), and the knots' own errors. Infinite where nothing is proved.
+  /// Proved bound of the distance, both ways, between the arc from a to b and its chord (the knots' own errors apart):
+  /// h²/8 times the greatest second derivative, comparing equal base values. Where the arc provably advances along the
+  /// chord, its projection covers the chord, and the component across the chord is enough. Infinite where nothing is
+  /// proved.
   double chord_error(const Piece_evaluator& e, const Knot& a, const Knot& b) const
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -287,7 +289,14 @@ private:
     if (width(jets->at(0).value) > 0.25 || width(jets->at(1).value) > 0.25) return infinite;
     const Map_formula formula = s_->map.choose(midpoint((*jets)[0].value), midpoint((*jets)[1].value));
     const auto image = s_->map.at((*jets)[0], (*jets)[1], formula);
-    const double bend = std::hypot(magnitude(image.point.x.second), magnitude(image.point.y.second));
+    double bend = std::hypot(magnitude(image.point.x.second), magnitude(image.point.y.second));
+    const Vector_2<Interval> first{image.point.x.first, image.point.y.first}, second{image.point.x.second, image.point.y.second};
+    const Vector_2<double> step{midpoint(b.placed.point.x) - midpoint(a.placed.point.x), midpoint(b.placed.point.y) - midpoint(a.placed.point.y)};
+    if (const double length = std::hypot(step.x, step.y); length > 0 && std::isfinite(bend)) {
+      const Vector_2<Interval> along{Interval(step.x / length), Interval(step.y / length)};
+      // `along` is of unit length up to roundings, which the factor below covers.
+      if (is_strict(sign_of(dot(along, first)))) bend = std::min(bend, magnitude(cross(along, second)) * (1 + 16 * operation_error));
+    }
     const double h = b.base.sup() - a.base.inf();
     const double bound = bend * h * h * 0.125 * (1 + 16 * operation_error);
     return std::isfinite(bound) ? bound : infinite;

@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -237,9 +238,11 @@ void write_lines(Json_writer& json, const char* key, const Sequence& items, Writ
 } // namespace detail
 
 /// Writes a result as JSON; the keys are listed in doc/. Each arc is written as the polyline `arc.polyline(tolerance)`
-/// with the error that this reaches. Doubles are written so that they read back as the same doubles.
+/// with the error that this reaches. Doubles are written so that they read back as the same doubles. `progress`, if
+/// given, is called with the numbers of arcs done and to come.
 template <int Dim>
-void write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance = 1e-6)
+void write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance = 1e-6,
+                const std::function<void(std::size_t done, std::size_t open)>& progress = {})
 {
   using detail::Json_writer;
   Json_writer json(out);
@@ -253,8 +256,12 @@ void write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance = 1
   });
   detail::write_lines(json, "vertices", locus.vertices(),
                       [](Json_writer& j, const Locus_vertex<Dim>& v) { detail::write_vertex(j, v); });
-  detail::write_lines(json, "arcs", locus.arcs(),
-                      [tolerance](Json_writer& j, const Arc<Dim>& a) { detail::write_arc(j, a, tolerance); });
+  std::size_t done = 0;
+  detail::write_lines(json, "arcs", locus.arcs(), [&](Json_writer& j, const Arc<Dim>& a) {
+    if (progress) progress(done, locus.arcs().size() - done);
+    detail::write_arc(j, a, tolerance);
+    ++done;
+  });
   detail::write_lines(json, "regions", locus.regions(), [](Json_writer& j, const Region& r) {
     j.open('{').key("arcs").list(r.arcs).key("reason").value(r.reason).close('}');
   });
