@@ -2,8 +2,8 @@
 #ifndef LOCUS_BENCHMARK_PLAIN_CURVE_H
 #define LOCUS_BENCHMARK_PLAIN_CURVE_H
 
-// Bézier curves in plain doubles with the distance from a point, to judge what the peers return. Shares no code with the
-// library.
+// Bézier curves in plain doubles with the distance from a point, to judge what the peers return. Shares no code with
+// the library.
 
 #include "cases.h"
 

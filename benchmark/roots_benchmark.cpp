@@ -9,6 +9,9 @@
 
 #include <locus/zero_set/real_roots.h>
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wuse-after-free" // gcc 12 sees one in CGAL's reference counting
+#endif
 #include <CGAL/CORE_BigInt.h>
 
 #include <CGAL/Algebraic_kernel_d_1.h>

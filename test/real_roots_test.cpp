@@ -8,6 +8,7 @@
 using namespace locus_test;
 using locus::Integer_polynomial;
 using locus::Real_root;
+using locus::exact_rational;
 using locus::real_roots;
 
 namespace {
@@ -194,6 +195,17 @@ TEST_CASE("roots at all places where a part may be cut, and others close to them
   LOCUS_REQUIRE_SAMPLES(samples, 8);
 }
 
+TEST_CASE("degrees whose binomial coefficients overflow doubles", "[real_roots]")
+{
+  Integer_polynomial f(1031);
+  f[0] = -2;
+  f[1030] = 1;
+  const auto roots = real_roots(f);
+  CHECK(fault_of(roots, rational(f)) == "");
+  REQUIRE(roots.size() == 2u);
+  CHECK((roots[1].lo < exact_rational(1.000674) && exact_rational(1.000673) < roots[1].hi)); // 2^(1/1030)
+}
+
 TEST_CASE("irrational multiple roots are counted as often as they divide", "[real_roots]")
 {
   const Polynomial two{Rational(-2), Rational(0), Rational(1)}, three{Rational(-3), Rational(0), Rational(1)}, golden{Rational(-1), Rational(-1), Rational(1)};
@@ -340,4 +352,15 @@ TEST_CASE("products by way of long integers are the products", "[real_roots]")
     samples.expect(rational(locus::multiply(f, g)) == times(rational(f), rational(g)), [&] { return locus_test::show(f) + " times " + locus_test::show(g); });
   }
   LOCUS_REQUIRE_SAMPLES(samples, 400);
+}
+
+TEST_CASE("values with a common factor that the polynomials do not have deceive neither gcd nor division", "[real_roots]")
+{
+  // At 2^64, x² + 1 is Fermat's number F7, which 59649589127497217 divides; and so it does this linear polynomial's value.
+  const Integer_polynomial fermat = integers({1, 0, 1}), linear = integers({-208648999, 126945596}), common = integers({-777777, 1048575, 987654});
+  CHECK(locus::gcd(locus::multiply(common, fermat), locus::multiply(common, linear)) == locus::gcd(common, {}));
+  // Here the whole value of the linear polynomial divides that of the other.
+  const Integer_polynomial multiple = locus::multiply(fermat, integers({11369833396, 1}));
+  CHECK(thrown<std::domain_error>([&] { locus::exact_quotient(multiple, linear); }) == 1);
+  CHECK(locus::gcd(multiple, linear) == integers({1}));
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Uses the installed library as a stranger would.
-#include <locus/function/bernstein_operations.h>
-#include <locus/number/rational.h>
+#include <locus/bisector_2.h>
 
 #include <iostream>
 
@@ -12,8 +11,10 @@
 
 int main()
 {
-  const auto f = locus::from_monomial<locus::Rational>({1, -3, 2});
-  const bool right = f[1] == locus::parse_rational("-0.5");
-  std::cout << "middle coefficient of 1 - 3u + 2u^2: " << f[1] << (right ? "" : " (wrong)") << '\n';
+  const auto bisector = locus::untrimmed_bisector(locus::segment_2({0, 0}, {1, 0}), locus::segment_2({0, 1}, {1, 1}));
+  const bool right = bisector.status() == locus::Status::certified && bisector.arcs().size() == 1 &&
+                     bisector.arcs()[0].at(0.5).point()[1] == 0.5;
+  std::cout << "two parallel segments: " << bisector.status() << ", " << bisector.arcs().size() << " arc"
+            << (right ? "" : " (wrong)") << '\n';
   return right ? 0 : 1;
 }

@@ -111,7 +111,8 @@ inline std::vector<Unit_root> isolate_exactly(const Bernstein<Scaled_integer, 1>
   for (std::size_t words = 2;; words *= 2) {
     observer.roots.clear();
     Wide_coefficients coefficients(f.values().coefficients(), words);
-    if (Descartes_search(coefficients, observer, words * GMP_NUMB_BITS / 2 + 8).run(low, high)) return std::move(observer.roots);
+    const std::size_t depth = words * GMP_NUMB_BITS / 2 + 8; // two roots 2^-d apart leave values of size 2^-2d
+    if (Descartes_search(coefficients, observer, depth).run(low, high)) return std::move(observer.roots);
   }
 }
 
@@ -132,7 +133,7 @@ bool bisect_exactly(const Bernstein<Scaled_integer, 1>& f, const Coordinate& lo,
   const Sign at_hi = exact_sign_at(f, lo, hi, root.hi);
   const Sign above = at_hi != Sign::zero ? at_hi : opposite(exact_sign_at(f, lo, hi, root.lo));
   if (above == Sign::zero) { // both are: the sign right of `lo` is that of the derivative there
-    const Sign rising = sign_at(derivative(f), Rational((Rational(root.lo) - Rational(lo)) / (Rational(hi) - Rational(lo))));
+    const Sign rising = exact_sign_at(derivative(f), lo, hi, root.lo);
     (at_mid == rising ? root.lo : root.hi) = mid;
     return true;
   }
@@ -155,8 +156,10 @@ bool isolate_square_free(const Bernstein<Scaled_integer, 1>& f, const Coordinate
   }
   if (f.degree() > 0 && f.sign(f.size() - 1) == Sign::zero) roots.push_back({hi, hi, 1, nullptr});
   const auto touches_root = [&](std::size_t i) {
-    return !roots[i].is_exact() && ((i > 0 && roots[i - 1].is_exact() && roots[i - 1].hi == roots[i].lo) ||
-                                    (i + 1 < roots.size() && roots[i + 1].is_exact() && roots[i + 1].lo == roots[i].hi));
+    if (roots[i].is_exact()) return false;
+    const bool below = i > 0 && roots[i - 1].is_exact() && roots[i - 1].hi == roots[i].lo;
+    const bool above = i + 1 < roots.size() && roots[i + 1].is_exact() && roots[i + 1].lo == roots[i].hi;
+    return below || above;
   };
   for (std::size_t i = 0; i < roots.size(); ++i)
     while (touches_root(i))

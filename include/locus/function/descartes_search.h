@@ -165,7 +165,10 @@ public:
   }
 
   void negate(std::size_t i) { mpn_neg((*this)[i], (*this)[i], static_cast<mp_size_t>(words_)); }
-  void add(std::size_t to, std::size_t i) { mpn_add_n((*this)[to], (*this)[to], (*this)[i], static_cast<mp_size_t>(words_)); }
+  void add(std::size_t to, std::size_t i)
+  {
+    mpn_add_n((*this)[to], (*this)[to], (*this)[i], static_cast<mp_size_t>(words_));
+  }
 
   /// The number as mantissa·2^exponent, the mantissa with an error of at most three roundings.
   std::pair<double, int> rounded(std::size_t i)

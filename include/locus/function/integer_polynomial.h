@@ -51,6 +51,13 @@ inline std::size_t bit_size(const Integer_polynomial& f)
 /// Words of a power of two above twice any number of so many bits.
 inline std::size_t words_for(std::size_t bits) { return (bits + 1) / GMP_NUMB_BITS + 1; }
 
+/// Bits that no coefficient of f·g exceeds.
+inline std::size_t product_bit_size(const Integer_polynomial& f, const Integer_polynomial& g)
+{
+  const Integer terms(static_cast<unsigned long>(std::min(f.size(), g.size())));
+  return bit_size(f) + bit_size(g) + mpz_sizeinbase(terms.get_mpz_t(), 2);
+}
+
 /// f(2^(bits of `words` machine words)).
 inline Integer packed(const Integer_polynomial& f, std::size_t words)
 {
@@ -82,8 +89,9 @@ inline Integer_polynomial unpacked(const Integer& x, std::size_t words)
     Integer c;
     if (at < size) {
       const std::size_t used = std::min(words, size - at);
-      mpn_copyi(mpz_limbs_write(c.get_mpz_t(), static_cast<mp_size_t>(used)), mpz_limbs_read(x.get_mpz_t()) + at, static_cast<mp_size_t>(used));
-      mpz_limbs_finish(c.get_mpz_t(), static_cast<mp_size_t>(used));
+      const auto length = static_cast<mp_size_t>(used);
+      mpn_copyi(mpz_limbs_write(c.get_mpz_t(), length), mpz_limbs_read(x.get_mpz_t()) + at, length);
+      mpz_limbs_finish(c.get_mpz_t(), length);
     }
     if (carry) ++c;
     const std::size_t bits = words * GMP_NUMB_BITS;
@@ -113,8 +121,7 @@ inline std::optional<Integer_polynomial> quotient(const Integer_polynomial& f, c
     mpz_divexact(z.get_mpz_t(), x.get_mpz_t(), y.get_mpz_t());
     Integer_polynomial q = unpacked(z, words);
     // The values agree: so do the polynomials, if the product's coefficients are small enough to be read off.
-    if (q.size() == terms && words_for(bit_size(q) + bit_size(g) + mpz_sizeinbase(Integer(std::min(terms, g.size())).get_mpz_t(), 2)) <= words)
-      return q;
+    if (q.size() == terms && words_for(product_bit_size(q, g)) <= words) return q;
   }
 }
 
@@ -171,8 +178,7 @@ inline Integer_polynomial derivative(const Integer_polynomial& f)
 inline Integer_polynomial multiply(const Integer_polynomial& f, const Integer_polynomial& g)
 {
   if (f.empty() || g.empty()) return {};
-  const Integer terms(std::min(f.size(), g.size()));
-  const std::size_t words = detail::words_for(detail::bit_size(f) + detail::bit_size(g) + mpz_sizeinbase(terms.get_mpz_t(), 2));
+  const std::size_t words = detail::words_for(detail::product_bit_size(f, g));
   return detail::unpacked(Integer(detail::packed(f, words) * detail::packed(g, words)), words);
 }
 
@@ -188,7 +194,8 @@ inline Integer_polynomial gcd(Integer_polynomial f, Integer_polynomial g)
   if (detail::certainly_coprime(f, g)) return {Integer(1)};
   // The power exceeds 2 + 2·max|coefficient|, so that what divides both is the greatest common divisor: a further
   // factor of it would be greater there than half the power, which bounds the integer that was read as content.
-  for (std::size_t words = detail::words_for(std::max(detail::bit_size(f), detail::bit_size(g)) + 2);; words += 1 + words / 4) {
+  const std::size_t bits = std::max(detail::bit_size(f), detail::bit_size(g));
+  for (std::size_t words = detail::words_for(bits + 2);; words += 1 + words / 4) {
     const Integer x = detail::packed(f, words), y = detail::packed(g, words);
     Integer_polynomial h = detail::primitive_part(detail::unpacked(Integer(::gcd(x, y)), words));
     if (detail::quotient(f, h) && detail::quotient(g, h)) return h;
@@ -202,7 +209,8 @@ inline Integer_polynomial exact_quotient(Integer_polynomial f, const Integer_pol
   if (f.empty()) return f;
   if (g.empty()) throw std::domain_error("exact_quotient: division by zero");
   const bool negative = (f.back() < 0) != (g.back() < 0);
-  auto q = detail::quotient(detail::primitive_part(std::move(f)), detail::primitive_part(g)); // Gauss: then it is integral
+  // Of primitive polynomials the quotient is integral, by Gauss.
+  auto q = detail::quotient(detail::primitive_part(std::move(f)), detail::primitive_part(g));
   if (!q) throw std::domain_error("exact_quotient: the divisor does not divide");
   if (negative)
     for (Integer& c : *q) mpz_neg(c.get_mpz_t(), c.get_mpz_t());

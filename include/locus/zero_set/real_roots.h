@@ -53,6 +53,7 @@ public:
   /// In doubles. False where they leave a sign open, as at every multiple root.
   bool by_filter(const Line_part& part, std::vector<Isolated_root<Rational>>& roots)
   {
+    if (n_ > 1000) return false; // its binomial coefficients overflow
     // Coefficients of u^i·(1-u)^(n-i), exactly: a Taylor shift of the reversed polynomial, by additions only.
     const std::size_t words = (bit_size(f_) + n_ + 3) / GMP_NUMB_BITS + 1;
     Word_array c(n_ + 1, words);
@@ -79,8 +80,8 @@ public:
     }
     const auto sign = [&](std::size_t i) { return c.is_negative(i) ? Sign::negative : Sign::positive; };
     found_.clear();
-    if (!Filtered_isolator(static_cast<int>(n_)).run(values.data(), accumulated_error(0, 8, norm), {sign(0), sign(n_)}, 0, 1, found_))
-      return false;
+    const double error = accumulated_error(0, 8, norm);
+    if (!Filtered_isolator(static_cast<int>(n_)).run(values.data(), error, {sign(0), sign(n_)}, 0, 1, found_)) return false;
     for (const auto& root : found_) roots.push_back({Rational(root.lo), Rational(root.hi), 1, nullptr});
     return true;
   }
@@ -170,8 +171,9 @@ inline int multiplicity_of(const Real_root& root, const std::vector<Square_free_
 
 /// All real roots of a polynomial, in order, each once, with its multiplicity. Throws std::domain_error for the zero
 /// polynomial.
-/// Descartes' method on the unit interval, as which each of (-∞,-1), (-1,0), (0,1) and (1,∞) is seen: in doubles with
-/// an error bound; where they cannot tell, on the product of the square-free factors with as many digits as it takes.
+/// Descartes' method on the unit interval, as which each of (-∞,-1), (-1,0), (0,1) and (1,∞) is seen: in doubles
+/// with an error bound; where they cannot tell, on the product of the square-free factors with as many digits as it
+/// takes.
 /// Holds in any rounding mode. Cost: some tens of O(degree²) steps for well separated roots.
 inline std::vector<Real_root> real_roots(Integer_polynomial f)
 {
