@@ -192,26 +192,38 @@ private:
 
   Placed placed_at(std::size_t step, double f) const { return placed_on(stretch(step), f, nullptr); }
 
+  /// Where the dependent parameter may be next on the way along an arc: extrapolated from the last two points.
+  struct Guess {
+    double last = -1, before = -1;
+
+    double next() const { return before < 0 ? last : last + (last - before); }
+    void add(double value)
+    {
+      before = last;
+      last = value;
+    }
+  };
+
   /// The point at fraction f along the arc's direction; `guess`, if given, starts the search and is updated.
-  Placed placed_on(const Stretch& s, double f, double* guess) const
+  Placed placed_on(const Stretch& s, double f, Guess* guess, const Piece_evaluator* evaluator = nullptr) const
   {
     const double g = s.reversed ? 1 - f : f;
     if (g <= 0 && !s.lo_cut) return place(*s_, vertex(s.piece->from).at);
     if (g >= 1 && !s.hi_cut) return place(*s_, vertex(s.piece->to).at);
     if (s.piece->is_half_branch) return on_half_branch(s, g);
-    const Piece_evaluator e(*s.form, s.piece->base);
-    return placed_between(s, e, g, guess);
+    if (evaluator) return placed_between(s, *evaluator, g, guess);
+    return placed_between(s, Piece_evaluator(*s.form, s.piece->base), g, guess);
   }
 
-  Placed placed_between(const Stretch& s, const Piece_evaluator& e, double g, double* guess) const
+  Placed placed_between(const Stretch& s, const Piece_evaluator& e, double g, Guess* guess) const
   {
     double base = s.lo.sup() + g * (s.hi.inf() - s.lo.sup());
     base = std::min(s.hi.inf(), std::max(s.lo.sup(), base));
     const auto pivot = static_cast<std::size_t>(e.pivot());
-    const double start = guess && *guess >= 0 ? *guess
+    const double start = guess && guess->last >= 0 ? guess->next()
                          : midpoint(vertex(s.piece->from).at[pivot]) * (1 - g) + midpoint(vertex(s.piece->to).at[pivot]) * g;
     const auto at = parameters(e, base, start);
-    if (guess) *guess = midpoint(at[pivot]);
+    if (guess) guess->add(midpoint(at[pivot]));
     return place(*s_, at);
   }
 
@@ -238,20 +250,25 @@ private:
     std::vector<Arc_point<2>> points;
     points.reserve(n);
     std::size_t k = 0;
-    double guess = -1;
+    Guess guess;
+    std::optional<Piece_evaluator> evaluator;
+    const auto evaluator_of = [&](const Stretch& s) { return evaluator.emplace(*s.form, s.piece->base), &*evaluator; };
+    const Piece_evaluator* current = evaluator_of(stretches[0]);
     for (std::size_t i = 0; i < n; ++i) {
       const double x = end.back() * static_cast<double>(i) / static_cast<double>(n - 1);
       while (k + 1 < stretches.size() && x > end[k + 1]) {
         ++k;
-        guess = -1;
+        guess = Guess();
+        current = evaluator_of(stretches[k]);
       }
       const double length = end[k + 1] - end[k];
       double f = length > 0 ? std::min(1.0, (x - end[k]) / length) : 0.0;
       if (i + 1 == n) {
         k = stretches.size() - 1;
         f = 1;
+        current = evaluator_of(stretches[k]);
       }
-      points.push_back(finished(*s_, placed_on(stretches[k], i == 0 ? 0.0 : f, &guess)));
+      points.push_back(finished(*s_, placed_on(stretches[k], i == 0 ? 0.0 : f, &guess, current)));
     }
     return points;
   }

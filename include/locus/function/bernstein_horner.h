@@ -11,25 +11,40 @@ namespace locus {
 
 namespace detail {
 
-/// Σ c_i·B_i^n(u) for 0 ≤ u ≤ 1 in O(n), without storage. `stride` steps through `c`.
-inline double horner_value(const double* c, int n, double u, std::size_t stride = 1)
+/// Σ c_i·B_i^n(u) for 0 ≤ u ≤ 1 in O(n), without storage, where `coefficient(i)` gives c_i: Horner's rule in u/(1-u), or
+/// from the other end in (1-u)/u, so that the ratio stays below one.
+template <class Coefficient>
+double horner_sum(Coefficient coefficient, int n, double u)
 {
   const bool low = u <= 0.5;
   const double near = low ? 1 - u : u, ratio = (low ? u : 1 - u) / near;
-  double sum = 0, power = 1;
-  for (int i = n; i >= 0; --i) {
-    const int k = low ? i : n - i;
-    sum = sum * ratio + binomial<double>(n, k) * c[static_cast<std::size_t>(k) * stride];
-    power = i > 0 ? power * near : power;
+  const double* const row = n <= last_exact_binomial_row ? binomial_table[static_cast<std::size_t>(n)].data() : nullptr;
+  const auto weight = [&](int i) { return row ? row[i] : binomial<double>(n, i); };
+  double sum = coefficient(low ? n : 0), power = 1; // the outermost weight is 1
+  for (int i = n - 1; i >= 0; --i) {
+    sum = sum * ratio + weight(i) * coefficient(low ? i : n - i);
+    power *= near;
   }
   return sum * power;
+}
+
+inline double horner_value(const double* c, int n, double u)
+{
+  return horner_sum([c](int i) { return c[i]; }, n, u);
+}
+
+/// Derivative of the same polynomial.
+inline double horner_slope(const double* c, int n, double u)
+{
+  return n == 0 ? 0.0 : n * horner_sum([c](int i) { return c[i + 1] - c[i]; }, n - 1, u);
 }
 
 /// Fills `weight` with the Bernstein basis of degree n at u in [0,1].
 inline void bernstein_weights(int n, double u, double* weight)
 {
+  const double* const row = n <= last_exact_binomial_row ? binomial_table[static_cast<std::size_t>(n)].data() : nullptr;
   double power = 1;
-  for (int i = 0; i <= n; ++i, power *= u) weight[i] = binomial<double>(n, i) * power;
+  for (int i = 0; i <= n; ++i, power *= u) weight[i] = (row ? row[i] : binomial<double>(n, i)) * power;
   power = 1;
   for (int i = n; i >= 0; --i, power *= 1 - u) weight[i] *= power;
 }

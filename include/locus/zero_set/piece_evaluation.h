@@ -39,12 +39,11 @@ public:
     double u = std::min(1.0, std::max(0.0, (guess - lo) / width));
     double slope = 0;
     for (int step = 0; step < 12; ++step) {
-      double value;
-      value_and_slope(u, value, slope);
-      const double next = std::min(1.0, std::max(0.0, u - value / slope));
+      slope = detail::horner_slope(g, n_, u);
+      const double next = std::min(1.0, std::max(0.0, u - detail::horner_value(g, n_, u) / slope));
       const double moved = std::abs(next - u);
       u = next;
-      if (!(moved > 1e-15)) break;
+      if (!(moved > 0x1p-27)) break; // Newton squares the error; the signs below prove the rest
     }
     const double radius = std::max(1.25 * error / std::abs(slope), 0x1p-52);
     const Sign high = sign_of(g[n_], error), low = sign_of(g[0], error);
@@ -153,24 +152,6 @@ private:
     // Weights carry 2m+2 roundings each, the sum m more, the position v two that move it; then one Horner pass.
     const double operations = 4.0 * m_ + 6 + 6.0 * m_ + detail::horner_operations(n_);
     return detail::accumulated_error(form_.f.error(), operations, norm_);
-  }
-
-  void value_and_slope(double u, double& value, double& slope) const
-  {
-    value = detail::horner_value(row_.data(), n_, u);
-    if (n_ == 1) {
-      slope = row_[1] - row_[0];
-      return;
-    }
-    const bool low = u <= 0.5;
-    const double near = low ? 1 - u : u, ratio = (low ? u : 1 - u) / near;
-    double sum = 0, power = 1;
-    for (int i = n_ - 1; i >= 0; --i) {
-      const auto k = static_cast<std::size_t>(low ? i : n_ - 1 - i);
-      sum = sum * ratio + binomial<double>(n_ - 1, static_cast<int>(k)) * (row_[k + 1] - row_[k]);
-      power = i > 0 ? power * near : power;
-    }
-    slope = n_ * sum * power;
   }
 
   /// The same by a fresh enclosure on the thin box, then exactly.
