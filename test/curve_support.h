@@ -381,6 +381,122 @@ private:
   Real_curve first_, second_;
 };
 
+// ------------------------------------------------------------------------------------------- components on a grid
+
+/// Line i of 0…n of an uneven grid on [0,1] that has both ends.
+inline Real grid_line(int n, int i)
+{
+  if (i == 0 || i == n) return i == 0 ? Real(0) : Real(1);
+  return (static_cast<Real>(i) + Real(0.3) * std::sin(Real(1.7) * static_cast<Real>(i) + 1)) / static_cast<Real>(n);
+}
+
+/// Connected components of a curve by the signs on a grid: its crossings with the grid's edges, joined within each
+/// square; within a few squares of a declared node all are joined. Squares with four crossings elsewhere are joined by
+/// the sign in the middle. Good for curves whose parts keep a few grid widths apart.
+template <class Grid_sign, class Sign_at>
+std::size_t grid_components(int n, Grid_sign positive, Sign_at positive_at, const std::vector<std::array<double, 2>>& nodes)
+{
+  const auto m = static_cast<std::size_t>(n) + 1;
+  std::vector<Real> line(m);
+  for (int i = 0; i <= n; ++i) line[static_cast<std::size_t>(i)] = grid_line(n, i);
+  std::vector<char> sign(m * m);
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < m; ++j) sign[i * m + j] = positive(i, j);
+  // Edge (i,j)-(i+1,j) has number i·m+j, edge (i,j)-(i,j+1) has m² more.
+  std::vector<std::size_t> parent(2 * m * m);
+  for (std::size_t k = 0; k < parent.size(); ++k) parent[k] = k;
+  std::vector<char> used(parent.size(), 0);
+  const auto find = [&](std::size_t k) {
+    while (parent[k] != k) k = parent[k] = parent[parent[k]];
+    return k;
+  };
+  const auto join = [&](std::size_t a, std::size_t b) { parent[find(a)] = find(b); };
+  for (std::size_t i = 0; i + 1 < m; ++i)
+    for (std::size_t j = 0; j + 1 < m; ++j) {
+      const std::size_t edge[4] = {i * m + j, m * m + (i + 1) * m + j, i * m + j + 1, m * m + i * m + j};
+      const char corner[4] = {sign[i * m + j], sign[(i + 1) * m + j], sign[(i + 1) * m + j + 1], sign[i * m + j + 1]};
+      std::vector<std::size_t> crossed;
+      for (std::size_t k = 0; k < 4; ++k)
+        if (corner[k] != corner[(k + 1) % 4]) crossed.push_back(edge[k]);
+      for (const std::size_t e : crossed) used[e] = 1;
+      if (crossed.size() == 2) join(crossed[0], crossed[1]);
+      if (crossed.size() == 4) {
+        const bool with_first = positive_at((line[i] + line[i + 1]) / 2, (line[j] + line[j + 1]) / 2) == (corner[0] != 0);
+        join(edge[0], edge[with_first ? 1 : 3]);
+        join(edge[2], edge[with_first ? 3 : 1]);
+      }
+    }
+  for (const auto& node : nodes) {
+    const double reach = (n > 1000 ? 16.0 : 3.0) / n;
+    std::size_t first = parent.size();
+    for (std::size_t i = 0; i < m; ++i) {
+      if (std::abs(node[0] - static_cast<double>(line[i])) > reach) continue;
+      for (std::size_t j = 0; j < m; ++j) {
+        if (std::abs(node[1] - static_cast<double>(line[j])) > reach) continue;
+        for (const std::size_t e : {i * m + j, m * m + i * m + j}) {
+          if (!used[e]) continue;
+          if (first < parent.size()) join(e, first);
+          first = e;
+        }
+      }
+    }
+  }
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < parent.size(); ++k) count += used[k] && find(k) == k;
+  return count;
+}
+
+/// Components of F3 = 0 for a pair of curves by a grid.
+class F3_grid {
+public:
+  F3_grid(const Control_curve& a, const Control_curve& b) : first_(a), second_(b) {}
+
+  std::size_t components(int n, const std::vector<std::array<double, 2>>& nodes) const
+  {
+    std::vector<Side> a, b;
+    for (int i = 0; i <= n; ++i) {
+      a.push_back(first_.at(grid_line(n, i)));
+      b.push_back(second_.at(grid_line(n, i)));
+    }
+    return grid_components(
+      n, [&](std::size_t i, std::size_t j) { return is_positive(a[i], b[j]); },
+      [&](Real t, Real r) { return is_positive(first_.at(t), second_.at(r)); }, nodes);
+  }
+
+private:
+  struct Side {
+    Complex point, tangent;
+  };
+  /// Point and tangent, without the factors that a tangent may have in common.
+  struct Curve {
+    explicit Curve(const Control_curve& c) : Curve(Plain_curve(c).with_primitive_tangent()) {}
+    explicit Curve(const Plain_curve& c) : x(reals(c.x)), y(reals(c.y)), w(reals(c.w)), ax(reals(c.ax)), ay(reals(c.ay)) {}
+
+    static std::vector<Real> reals(const Polynomial& f)
+    {
+      std::vector<Real> result;
+      for (const Rational& c : f) result.push_back(real_of(c));
+      return result;
+    }
+    static Real value(const std::vector<Real>& f, Real u)
+    {
+      Real sum = 0;
+      for (std::size_t k = f.size(); k-- > 0;) sum = sum * u + f[k];
+      return sum;
+    }
+    Side at(Real u) const { return {Complex(value(x, u), value(y, u)) / value(w, u), Complex(value(ax, u), value(ay, u))}; }
+
+    std::vector<Real> x, y, w, ax, ay;
+  };
+  static bool is_positive(const Side& a, const Side& b)
+  {
+    const Complex e = a.point - b.point;
+    return (e * e * std::conj(a.tangent) * std::conj(b.tangent)).imag() > 0;
+  }
+
+  Curve first_, second_;
+};
+
 // ------------------------------------------------------------------------------------------------- the result's graph
 
 /// What must not change when the inputs are written differently.

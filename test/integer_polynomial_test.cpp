@@ -178,6 +178,43 @@ TEST_CASE("the modular test never calls polynomials with a common factor coprime
   CHECK(mpz_probab_prime_p(p.get_mpz_t(), 30) != 0);
 }
 
+TEST_CASE("a common divisor that only the values at a power of two have does not mislead the gcd",
+          "[integer_polynomial]")
+{
+  // Found by lattice reduction: small, coprime, and at 2^64 both divisible by a prime near 2^70.
+  const Integer_polynomial a{Integer(7848439), Integer(-1431028), Integer(815075)};
+  const Integer_polynomial b{Integer(5112533), Integer(10049018), Integer(2790188)};
+  const Rational at = two_to(64), shared(Integer("871709100316485385309"));
+  REQUIRE(Rational(horner(rational(a), at) / shared).get_den() == 1);
+  REQUIRE(Rational(horner(rational(b), at) / shared).get_den() == 1);
+  const Integer_polynomial h{Integer(987654321), Integer(1000000007)};
+  CHECK(locus::gcd(product(h, a), product(h, b)) == h);
+  CHECK(locus::gcd(a, b) == Integer_polynomial{Integer(1)});
+}
+
+TEST_CASE("products whose coefficients fill their machine words are right", "[integer_polynomial]")
+{
+  Samples samples;
+  for (const unsigned words : {1u, 2u, 3u})
+    for (unsigned bits = 1; bits < 64 * words; bits += 5)
+      for (int more = -4; more <= 2; ++more)
+        for (const std::size_t terms : {1u, 2u, 3u, 7u, 8u, 9u}) {
+          const int other = static_cast<int>(64 * words) - static_cast<int>(bits) + more;
+          if (other < 1) continue;
+          Integer_polynomial f(terms, Integer((Integer(1) << bits) - 1));
+          Integer_polynomial g(8, Integer((Integer(1) << static_cast<unsigned>(other)) - 1));
+          for (const int sign : {1, -1}) {
+            if (sign < 0)
+              for (Integer& c : g) c = -c;
+            samples.expect(locus::multiply(f, g) == product(f, g), [&] { return show(f) + " times " + show(g); });
+          }
+          f.back() = 1; // alternating carries
+          g.front() = -1;
+          samples.expect(locus::multiply(f, g) == product(f, g), [&] { return show(f) + " times " + show(g); });
+        }
+  LOCUS_REQUIRE_SAMPLES(samples, 8000);
+}
+
 TEST_CASE("products agree with the schoolbook", "[integer_polynomial]")
 {
   Random random(69);

@@ -197,11 +197,12 @@ int run(const Settings& settings)
   if (json != standard || !on_terminal || isatty(STDOUT_FILENO) == 0)
     on_arc = [&bar](std::size_t done, std::size_t open) { bar.show("arcs", done, open); };
   else bar.clear();
-  if (!json.empty()) write_output(json, [&](std::ostream& out) { locus::write_json(out, result, wanted, on_arc); });
+  locus::Status status = result.status();
+  if (!json.empty()) write_output(json, [&](std::ostream& out) { status = locus::write_json(out, result, wanted, on_arc); });
   bar.clear();
   if (!settings.svg.empty())
     write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, result, {first, second}); });
-  return result.status() == locus::Status::certified ? answered : something_undecided;
+  return status == locus::Status::certified ? answered : something_undecided;
 }
 
 constexpr const char* footer = R"(

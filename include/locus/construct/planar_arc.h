@@ -350,7 +350,7 @@ private:
       draft.points.push_back(reversed ? a.placed : b.placed);
       return;
     }
-    if (!std::isfinite(error) && depth >= 8) { // nothing is proved here: enclose the stretch as a whole
+    if (!std::isfinite(error) && depth >= 6) { // nothing is proved here: enclose the stretch as a whole
       draft.bend = std::max(draft.bend, enclosing_diameter(e, a, b));
       draft.points.push_back(reversed ? a.placed : b.placed);
       return;

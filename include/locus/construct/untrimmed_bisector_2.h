@@ -212,11 +212,26 @@ private:
       if (vertex.kind == Vertex_kind::infinity) add_asymptote(from, vertex);
       else {
         const Arc_point<2> p = finished(*s_, place(*s_, from.at));
-        vertex.point = p.point();
-        vertex.radius = p.radius();
+        if (p.error() <= largest_vertex_error * data_.scale) {
+          vertex.point = p.point();
+          vertex.radius = p.radius();
+        } else {
+          report_unplaced(from);
+        }
       }
       data_.vertices.push_back(std::move(vertex));
     }
+  }
+
+  /// Beyond this part of the inputs' diameter a vertex's point is not given: where the curves touch, both formulas are 0/0.
+  static constexpr double largest_vertex_error = 1e-6;
+
+  void report_unplaced(const Graph_vertex& from)
+  {
+    Undecided_piece piece;
+    for (std::size_t k = 0; k < 2; ++k) piece.box.push_back(s_->domain[k].at(from.at[k]));
+    piece.reason = "the curves touch here: the position in the plane is 0/0 and is not enclosed";
+    data_.undecided.push_back(std::move(piece));
   }
 
   /// At a common tangent line the locus goes to infinity along the perpendicular bisector of the two contact points.

@@ -28,9 +28,10 @@ double horner_sum(Coefficient coefficient, int n, double u)
   return sum * power;
 }
 
-inline double horner_value(const double* c, int n, double u)
+/// `stride` steps through `c`.
+inline double horner_value(const double* c, int n, double u, std::size_t stride = 1)
 {
-  return horner_sum([c](int i) { return c[i]; }, n, u);
+  return horner_sum([c, stride](int i) { return c[static_cast<std::size_t>(i) * stride]; }, n, u);
 }
 
 /// Derivative of the same polynomial.

@@ -4,6 +4,7 @@
 
 #include <locus/construct/locus.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -62,6 +63,12 @@ public:
     return *this;
   }
 
+  Json_writer& null()
+  {
+    separate();
+    text_ += "null";
+    return *this;
+  }
   Json_writer& value(double x)
   {
     if (std::isnan(x)) throw std::logic_error("a result holds a number that is not a number");
@@ -184,7 +191,7 @@ void write_arc_point(Json_writer& json, const Arc_point<Dim>& p)
 }
 
 template <int Dim>
-void write_arc(Json_writer& json, const Arc<Dim>& arc, double tolerance)
+void write_arc(Json_writer& json, const Arc<Dim>& arc, const Polyline<Dim>& polyline)
 {
   json.open('{');
   if (!arc.is_closed()) json.key("source").value(*arc.source()).key("target").value(*arc.target());
@@ -193,15 +200,17 @@ void write_arc(Json_writer& json, const Arc<Dim>& arc, double tolerance)
   json.key("features").open('[');
   for (const Feature f : arc.features()) json.value(name_of(f));
   json.close(']');
-  const Polyline<Dim> polyline = arc.polyline(tolerance);
-  json.key("error").value(polyline.error());
+  json.key("error");
+  if (std::isfinite(polyline.error())) json.value(polyline.error());
+  else json.null();
   const Irregular_points<Dim> irregular = arc.irregular();
   json.key("irregular").open('[');
   for (const Arc_point<Dim>& p : irregular.points) write_arc_point(json, p);
   json.close(']');
   if (!irregular.complete) json.key("irregular_complete").value(false);
   json.key("samples").open('[');
-  for (const Arc_point<Dim>& p : polyline) write_arc_point(json.line(6), p);
+  for (const Arc_point<Dim>& p : polyline)
+    if (std::isfinite(p.error())) write_arc_point(json.line(6), p);
   json.close(']').close('}');
 }
 
@@ -226,6 +235,21 @@ inline void write_statistics(Json_writer& json, const Locus_statistics& s)
   json.close('}').close('}');
 }
 
+/// Where an arc could not be drawn with a proved error, the ranges of its parameters, with the reason.
+template <int Dim>
+Undecided_piece undrawn(const Polyline<Dim>& polyline)
+{
+  Undecided_piece piece;
+  for (const Arc_point<Dim>& p : polyline)
+    for (std::size_t k = 0; k < p.parameters().size(); ++k) {
+      if (piece.box.size() <= k) piece.box.push_back(p.parameters()[k]);
+      piece.box[k].lo = std::min(piece.box[k].lo, p.parameters()[k].lo);
+      piece.box[k].hi = std::max(piece.box[k].hi, p.parameters()[k].hi);
+    }
+  piece.reason = "the arc passes a point where its position in the plane is 0/0: no error is proved for its samples";
+  return piece;
+}
+
 /// A list with one element on a line.
 template <class Sequence, class Write>
 void write_lines(Json_writer& json, const char* key, const Sequence& items, Write write)
@@ -239,15 +263,24 @@ void write_lines(Json_writer& json, const char* key, const Sequence& items, Writ
 
 /// Writes a result as JSON; the keys are listed in doc/. Each arc is written as the polyline `arc.polyline(tolerance)`
 /// with the error that this reaches. Doubles are written so that they read back as the same doubles. `progress`, if
-/// given, is called with the numbers of arcs done and to come.
+/// given, is called with the numbers of arcs done and to come. Returns the status that was written: undecided also where
+/// an arc's error has no proved bound, which is then written as null.
 template <int Dim>
-void write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance = 1e-6,
+Status write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance = 1e-6,
                 const std::function<void(std::size_t done, std::size_t open)>& progress = {})
 {
   using detail::Json_writer;
+  std::vector<Polyline<Dim>> polylines;
+  std::vector<Undecided_piece> undecided = locus.undecided();
+  for (const Arc<Dim>& arc : locus.arcs()) {
+    if (progress) progress(polylines.size(), locus.arcs().size() - polylines.size());
+    polylines.push_back(arc.polyline(tolerance));
+    if (!std::isfinite(polylines.back().error())) undecided.push_back(detail::undrawn(polylines.back()));
+  }
+  const Status status = undecided.empty() ? Status::certified : Status::undecided;
   Json_writer json(out);
   json.open('{').line(2).key("compute").value(locus.compute()).line(2).key("trimmed").value(locus.is_trimmed());
-  json.line(2).key("status").value(locus.status() == Status::certified ? "certified" : "undecided");
+  json.line(2).key("status").value(status == Status::certified ? "certified" : "undecided");
   json.line(2).key("tolerance").value(tolerance).line(2).key("scale").value(locus.scale());
   json.line(2).key("cut_radius").value(locus.cut_radius()).line(2).key("centre").value(locus.centre());
   json.line(2).key("components").value(locus.components());
@@ -256,12 +289,8 @@ void write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance = 1
   });
   detail::write_lines(json, "vertices", locus.vertices(),
                       [](Json_writer& j, const Locus_vertex<Dim>& v) { detail::write_vertex(j, v); });
-  std::size_t done = 0;
-  detail::write_lines(json, "arcs", locus.arcs(), [&](Json_writer& j, const Arc<Dim>& a) {
-    if (progress) progress(done, locus.arcs().size() - done);
-    detail::write_arc(j, a, tolerance);
-    ++done;
-  });
+  std::size_t next = 0;
+  detail::write_lines(json, "arcs", locus.arcs(), [&](Json_writer& j, const Arc<Dim>& a) { detail::write_arc(j, a, polylines[next++]); });
   detail::write_lines(json, "regions", locus.regions(), [](Json_writer& j, const Region& r) {
     j.open('{').key("arcs").list(r.arcs).key("reason").value(r.reason).close('}');
   });
@@ -272,12 +301,13 @@ void write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance = 1
     if (d.multiplicity > 1) j.key("multiplicity").value(d.multiplicity);
     j.key("reason").value(d.reason).close('}');
   });
-  detail::write_lines(json, "undecided", locus.undecided(), [](Json_writer& j, const Undecided_piece& u) {
+  detail::write_lines(json, "undecided", undecided, [](Json_writer& j, const Undecided_piece& u) {
     j.open('{').key("box").list(u.box).key("reason").value(u.reason).close('}');
   });
   json.line(2).key("statistics");
   detail::write_statistics(json, locus.statistics());
   json.finish();
+  return status;
 }
 
 } // namespace locus

@@ -55,11 +55,14 @@ inline bool all_of_one_sign(const Bernstein<Rational, 1>& f)
 inline void reject_poles(const Bernstein<Rational, 1>& weight)
 {
   if (all_of_one_sign(weight)) return;
-  const auto set = exact_roots(Bernstein<Scaled_integer, 1>(weight), Rational(0), Rational(1));
+  auto set = exact_roots(Bernstein<Scaled_integer, 1>(weight), Rational(0), Rational(1));
   if (set.identically_zero)
     throw Invalid_input(".weights", "all weights are zero", "give at least the end points positive weights");
   if (set.roots.empty()) return;
-  const double u = Rational((set.roots[0].lo + set.roots[0].hi) / 2).get_d();
+  auto& pole = set.roots[0];
+  while (!pole.is_exact() && Rational(pole.hi - pole.lo) > Rational(1, 1 << 24))
+    bisect_exactly(*pole.factor, Rational(0), Rational(1), pole);
+  const double u = Rational((pole.lo + pole.hi) / 2).get_d();
   throw Invalid_input(".weights", "the denominator vanishes on the domain near u = " + std::to_string(u) + " (a pole)",
                       "use positive weights");
 }

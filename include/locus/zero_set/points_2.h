@@ -39,7 +39,7 @@ public:
       ++result_.cells;
       if (is_purged(cell.f) || is_purged(cell.g)) continue;
       if (cell.depth > 2 && resolve(cell)) continue;
-      if (cell.depth >= max_depth || result_.cells > cell_limit || control_.is_cancelled()) {
+      if (cell.depth >= max_depth || result_.cells > cell_limit || control_.is_cancelled() || is_late()) {
         result_.undecided.push_back(cell.box);
         continue;
       }
@@ -62,6 +62,12 @@ private:
     Bernstein<Bounded, 2> f, g;
     int depth;
   };
+
+  bool is_late() const
+  {
+    return std::isfinite(control_.max_seconds) && (result_.cells & 15u) == 0 &&
+           std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() > control_.max_seconds;
+  }
 
   Bernstein<Bounded, 2> bounded_on(std::size_t k, const Box<2>& box) const
   {
@@ -263,6 +269,7 @@ private:
 
   Pair equations_;
   const Solve_control& control_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Point_set result_;
   std::vector<Isolated_point> found_;
 };
