@@ -246,7 +246,8 @@ inline void split_off_axis(F3_problem& p, const Bernstein<Rational, 2>& rest, bo
 
 /// Mirror images with matching parameters have the axis t = r (or t + r = 1) as a factor of F3, and the other factor
 /// crosses it in nodes; equal curves have its fourth power, which is the curves' overlap.
-inline void divide_out_diagonal(F3_problem& p, bool reversed)
+/// `overlaps` says which of the two is looked for: overlaps come first, for an axis may remain beside one.
+inline void divide_out_diagonal(F3_problem& p, bool reversed, bool overlaps)
 {
   if (p.axis) return; // a second axis stays in the other factor, which it crosses in a declared node
   const auto enclosure = p.system.equations[0]->enclosure(Box<2>::unit());
@@ -256,7 +257,7 @@ inline void divide_out_diagonal(F3_problem& p, bool reversed)
   const Bernstein<Scaled_integer, 2>& f = p.system.equations[0]->exact();
   if (f.is_zero()) return;
   const auto [rest, multiplicity] = divided_by_diagonal(f, reversed);
-  if (multiplicity == 0) return;
+  if (multiplicity == 0 || overlaps != (multiplicity > 1)) return;
   if (multiplicity == 1) return split_off_axis(p, rest, reversed);
   Degenerate_component d;
   d.kind = Degenerate_component::Kind::overlap;
@@ -285,7 +286,8 @@ inline F3_problem f3_problem(std::shared_ptr<const Planar_curve> first, std::sha
   p.system.equations[0] = detail::pair_equation<F3_form>(p);
   detail::add_geometric_causes(p);
   for (int variable : {0, 1}) detail::divide_out_tangencies(p, variable);
-  for (bool reversed : {false, true}) detail::divide_out_diagonal(p, reversed);
+  for (bool overlaps : {true, false})
+    for (bool reversed : {false, true}) detail::divide_out_diagonal(p, reversed, overlaps);
   p.degrees = p.system.equations[0]->degrees();
   return p;
 }

@@ -191,7 +191,7 @@ void write_arc_point(Json_writer& json, const Arc_point<Dim>& p)
 }
 
 template <int Dim>
-void write_arc(Json_writer& json, const Arc<Dim>& arc, const Polyline<Dim>& polyline)
+void write_arc(Json_writer& json, const Arc<Dim>& arc, const Polyline<Dim>& polyline, double largest_point_error)
 {
   json.open('{');
   if (!arc.is_closed()) json.key("source").value(*arc.source()).key("target").value(*arc.target());
@@ -209,8 +209,10 @@ void write_arc(Json_writer& json, const Arc<Dim>& arc, const Polyline<Dim>& poly
   json.close(']');
   if (!irregular.complete) json.key("irregular_complete").value(false);
   json.key("samples").open('[');
+  // Without a bound for the whole, only points that are good by themselves are given.
+  const double limit = std::isfinite(polyline.error()) ? polyline.error() : largest_point_error;
   for (const Arc_point<Dim>& p : polyline)
-    if (std::isfinite(p.error())) write_arc_point(json.line(6), p);
+    if (p.error() <= limit) write_arc_point(json.line(6), p);
   json.close(']').close('}');
 }
 
@@ -290,7 +292,7 @@ Status write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance =
   detail::write_lines(json, "vertices", locus.vertices(),
                       [](Json_writer& j, const Locus_vertex<Dim>& v) { detail::write_vertex(j, v); });
   std::size_t next = 0;
-  detail::write_lines(json, "arcs", locus.arcs(), [&](Json_writer& j, const Arc<Dim>& a) { detail::write_arc(j, a, polylines[next++]); });
+  detail::write_lines(json, "arcs", locus.arcs(), [&](Json_writer& j, const Arc<Dim>& a) { detail::write_arc(j, a, polylines[next++], 1e-9 * locus.scale()); });
   detail::write_lines(json, "regions", locus.regions(), [](Json_writer& j, const Region& r) {
     j.open('{').key("arcs").list(r.arcs).key("reason").value(r.reason).close('}');
   });

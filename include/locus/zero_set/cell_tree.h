@@ -202,6 +202,8 @@ public:
   /// Sign of a partial derivative on the cell, by the ladder.
   Range_sign derivative_sign(Index i, int variable, Rung& rung)
   {
+    rung = Rung::bounded;
+    if (degrees_[static_cast<std::size_t>(variable)] == 0) return Range_sign::zero;
     const Layout layout = layout_along(degrees_, variable);
     return climb(
       i, rung,

@@ -35,8 +35,13 @@ public:
 template <int D>
 class Polynomial_equation final : public Equation<D> {
 public:
+  /// The coefficients may be of any size: the enclosure is of f times a power of two.
   explicit Polynomial_equation(const Bernstein<Rational, D>& f)
-    : exact_(f), enclosure_(converted<Interval>(f, [](const Rational& c) { return locus::enclosing(c); }))
+    : exact_(f), enclosure_(converted<Interval>(f, [e = exponent_of(f)](Rational c) {
+        if (e >= 0) mpq_div_2exp(c.get_mpq_t(), c.get_mpq_t(), static_cast<mp_bitcnt_t>(e));
+        else mpq_mul_2exp(c.get_mpq_t(), c.get_mpq_t(), static_cast<mp_bitcnt_t>(-e));
+        return locus::enclosing(c);
+      }))
   {
   }
 
@@ -54,6 +59,20 @@ public:
   }
 
 private:
+  /// 2^exponent is about the size of the greatest coefficient.
+  static long exponent_of(const Bernstein<Rational, D>& f)
+  {
+    bool any = false;
+    long greatest = 0;
+    for (const Rational& c : f.coefficients()) {
+      if (c == 0) continue;
+      const long e = static_cast<long>(mpz_sizeinbase(c.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(c.get_den_mpz_t(), 2));
+      greatest = any ? std::max(greatest, e) : e;
+      any = true;
+    }
+    return greatest;
+  }
+
   Bernstein<Scaled_integer, D> exact_;
   Bernstein<Interval, D> enclosure_;
 };
