@@ -311,7 +311,8 @@ TEST_CASE("bundles of lines meet in all their pairs", "[points]")
 {
   Random random(95);
   Samples samples;
-  for (int i = 0; i < 25; ++i) {
+  std::size_t steep_bundles = 0;
+  for (int i = 0; i < 60; ++i) {
     const int n = random.between(2, 3);
     std::array<std::vector<Bivariate>, 2> lines;
     std::array<Bivariate, 2> product{Bivariate{{{0, 0}, Rational(1)}}, Bivariate{{{0, 0}, Rational(-2)}}};
@@ -322,10 +323,11 @@ TEST_CASE("bundles of lines meet in all their pairs", "[points]")
       }
     std::vector<Known> solutions;
     std::vector<Point> points;
-    bool parallel = false;
+    bool parallel = false, steep = true;
     for (auto& a : lines[0])
       for (auto& b : lines[1]) {
         const Rational d = cross(a, b);
+        steep = steep && are_steep(a, b);
         if (d == 0) {
           parallel = true;
           continue;
@@ -337,10 +339,12 @@ TEST_CASE("bundles of lines meet in all their pairs", "[points]")
       }
     if (parallel || !are_apart(points, Rational(1, 300))) continue;
     const Point_set set = solve(product[0], product[1]);
-    const std::string fault = fault_of(set, solutions, true);
+    const std::string fault = fault_of(set, solutions, steep); // lines that nearly agree may cost too many cells
+    steep_bundles += steep;
     samples.expect(fault.empty(), [&] { return fault + show_system(product[0], product[1]); });
   }
-  LOCUS_REQUIRE_SAMPLES(samples, 8);
+  LOCUS_REQUIRE_SAMPLES(samples, 20);
+  CHECK(steep_bundles >= 3);
 }
 
 TEST_CASE("a solution that is proved early is still enclosed closely", "[points]")
@@ -387,6 +391,13 @@ TEST_CASE("a solution on the corner of cells is reported once, and closely enclo
      quadratic("528482325/16777216", "-18", "0", "-754974741/8388608", "36", "54"),
      {Rational(1, 2), Rational(1)},
      {Rational(Rational(1, 2) + two_to(-24)), Rational(1 - two_to(-24) / 3)}},
+    // Two enclosures of one point: the later one reaches out of the box in which the earlier is unique, but not the
+    // other way round.
+    {line(Rational(-1, 3145728), Rational(-1, 1048576), Rational("330906174969/576460752303947776")),
+     quadratic("57408836239324466771122202797/19807040628602113195404967936", "-1040939720461254655/108086391056990208",
+               "8", "-1561403533377929209/432345564227960832", "6", "-14"),
+     {Rational(0), Rational("661812349938/1099511627777")},
+     {two_to(-20), Rational("2081880540434137087/3458764513823686656")}},
   };
   for (const Case& c : cases) {
     REQUIRE(value(c.f, c.p) == 0);

@@ -60,18 +60,18 @@ public:
     return by_normals > by_chord ? Map_formula::normals : Map_formula::chord;
   }
 
-  /// Lower bound of the distance from the first foot to the bisector point over ranges of t and r; good near poles,
-  /// where the point itself has no enclosure.
-  double least_radius(const Interval& t, const Interval& r) const
+  /// Lower bound of the distance from the first foot to the bisector point along an arc that ends in a pole at most
+  /// `length` away in the jets' variable. The point itself has no enclosure there; but a×d vanishes at the pole, so it is
+  /// bounded by its derivative.
+  double least_radius(const Jet<Interval>& t, const Jet<Interval>& r, double length) const
   {
-    const Vector_2<Interval> a = first_.tangent(t), d = second_.point(r) - first_.point(t);
-    const Interval length2 = dot(a, a), chord2 = dot(d, d);
-    const double denominator = 2 * magnitude(cross(a, d));
-    if (!(length2.inf() > 0) || !(chord2.inf() > 0)) return 0;
-    // Rounded down: upward rounding of the negated quotient.
-    const double numerator = -((-chord2.inf()) * std::sqrt(length2.inf() * (1 - 8 * operation_error)));
-    if (denominator == 0) return std::numeric_limits<double>::infinity();
-    return -((-numerator * (1 - 8 * operation_error)) / denominator);
+    const Vector_2<Jet<Interval>> a = first_.tangent(t), d = second_.point(r) - first_.point(t);
+    const Interval speed = CGAL::sqrt(dot(a, a).value), chord2 = dot(d, d).value;
+    if (!(speed.inf() > 0) || !(chord2.inf() > 0)) return 0;
+    const Jet<Interval> product = cross(a, d);
+    const Interval largest = Interval(2) * Interval(std::min(magnitude(product.value), magnitude(product.first) * length * (1 + 4 * operation_error)));
+    if (largest.sup() == 0) return std::numeric_limits<double>::infinity();
+    return (Interval(chord2.inf()) * Interval(speed.inf()) / Interval(largest.sup())).inf();
   }
 
 private:

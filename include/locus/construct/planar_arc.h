@@ -170,12 +170,12 @@ private:
       const double lo = above ? at.inf() : position, hi = above ? position : at.sup();
       const auto jet = above ? e.jet_over(lo, hi, pole.at[pivot], here) : e.jet_over(lo, hi, here, pole.at[pivot]);
       if (!jet) continue;
-      std::array<Interval, 2> tail;
-      tail[pivot] = jet->value;
-      tail[base] = Interval(lo, hi);
-      const Vector_2<Interval> foot = s_->map.first().point(tail[0]);
+      std::array<Jet<Interval>, 2> tail;
+      tail[pivot] = {jet->value, jet->first, jet->second};
+      tail[base] = {Interval(lo, hi), Interval(1), Interval(0)};
+      const Vector_2<Interval> foot = s_->map.first().point(tail[0].value);
       const double off = std::hypot(magnitude(foot.x - Interval(s_->centre.x)), magnitude(foot.y - Interval(s_->centre.y)));
-      if (s_->map.least_radius(tail[0], tail[1]) > (s_->cut_radius + off) * (1 + 8 * operation_error)) return position;
+      if (s_->map.least_radius(tail[0], tail[1], hi - lo) > (s_->cut_radius + off) * (1 + 8 * operation_error)) return position;
     }
     return position;
   }
@@ -350,7 +350,7 @@ private:
       draft.points.push_back(reversed ? a.placed : b.placed);
       return;
     }
-    if (!std::isfinite(error) && depth >= 6) { // nothing is proved here: enclose the stretch as a whole
+    if (!std::isfinite(error) && depth >= 8) { // nothing is proved here: enclose the stretch as a whole
       draft.bend = std::max(draft.bend, enclosing_diameter(e, a, b));
       draft.points.push_back(reversed ? a.placed : b.placed);
       return;

@@ -292,7 +292,7 @@ Status write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance =
   detail::write_lines(json, "vertices", locus.vertices(),
                       [](Json_writer& j, const Locus_vertex<Dim>& v) { detail::write_vertex(j, v); });
   std::size_t next = 0;
-  detail::write_lines(json, "arcs", locus.arcs(), [&](Json_writer& j, const Arc<Dim>& a) { detail::write_arc(j, a, polylines[next++], 1e-9 * locus.scale()); });
+  detail::write_lines(json, "arcs", locus.arcs(), [&](Json_writer& j, const Arc<Dim>& a) { detail::write_arc(j, a, polylines[next++], 1e-10 * locus.scale()); });
   detail::write_lines(json, "regions", locus.regions(), [](Json_writer& j, const Region& r) {
     j.open('{').key("arcs").list(r.arcs).key("reason").value(r.reason).close('}');
   });

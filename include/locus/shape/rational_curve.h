@@ -83,6 +83,15 @@ void remove_common_factor(Curve_piece<Dim>& piece)
   piece.weight = divide_exactly(piece.weight, divisor);
 }
 
+/// Homogeneous coordinates may change their common sign: a weight without zeros is made positive.
+template <int Dim>
+void make_weight_positive(Curve_piece<Dim>& piece)
+{
+  if (evaluate_at(piece.weight, Rational(1, 2)) >= 0) return;
+  for (auto& x : piece.numerator) x = multiply(x, Rational(-1));
+  piece.weight = multiply(piece.weight, Rational(-1));
+}
+
 template <int Dim>
 bool is_single_point(const Curve_piece<Dim>& piece)
 {
@@ -124,6 +133,7 @@ Rational_curve<Dim> bezier_curve(const std::vector<Exact_point<Dim>>& points, co
       if (!polynomial) piece.numerator[k][i] *= weights[i];
     }
   detail::remove_common_factor(piece);
+  detail::make_weight_positive(piece);
   detail::reject_poles(piece.weight);
   if (detail::is_single_point(piece))
     throw Invalid_input(".control_points", "the curve is a single point", "use a point input instead");
