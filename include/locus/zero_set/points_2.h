@@ -123,7 +123,11 @@ private:
     const double a = midpoint(j[0][0]), b = midpoint(j[0][1]), c = midpoint(j[1][0]), d = midpoint(j[1][1]);
     const double det = a * d - b * c;
     if (!std::isfinite(1 / det) || det == 0) return std::nullopt;
-    return Real_matrix{{{d / det, -b / det}, {-c / det, a / det}}};
+    const Real_matrix y{{{d / det, -b / det}, {-c / det, a / det}}};
+    for (const auto& row : y)
+      for (const double entry : row)
+        if (!std::isfinite(entry)) return std::nullopt;
+    return y;
   }
 
   static Matrix preconditioned(const Real_matrix& y, const Matrix& j)
@@ -205,17 +209,20 @@ private:
     return std::nullopt;
   }
 
+  static bool lies_within(const Point& p, const Box<2>& box)
+  {
+    return box.lo[0] < p[0].inf() && p[0].sup() < box.hi[0] && box.lo[1] < p[1].inf() && p[1].sup() < box.hi[1];
+  }
+
   void record(const Isolated_point& candidate, const Box<2>& cell)
   {
     for (std::size_t v = 0; v < 2; ++v)
       if (candidate.box[v].sup() < cell.lo[v] || candidate.box[v].inf() > cell.hi[v]) return;
-    for (const Isolated_point& known : found_) {
-      bool same = true;
-      for (std::size_t v = 0; v < 2; ++v)
-        same = same && overlap(known.box[v], candidate.box[v]) &&
-               known.unique_in.lo[v] < candidate.box[v].inf() && candidate.box[v].sup() < known.unique_in.hi[v];
-      if (same) return;
-    }
+    // Two enclosures that meet are of one solution if either lies where the other's is known to be the only one.
+    for (const Isolated_point& known : found_)
+      if (overlap(known.box[0], candidate.box[0]) && overlap(known.box[1], candidate.box[1]) &&
+          (lies_within(candidate.box, known.unique_in) || lies_within(known.box, candidate.unique_in)))
+        return;
     found_.push_back(candidate);
   }
 
