@@ -222,11 +222,19 @@ private:
   {
     if (s != Range_sign::weak_negative && s != Range_sign::weak_positive) return false;
     const auto& f = tree_.exact(i);
+    const int n = f.degree(0), m = f.degree(1);
+    if (n == 0 || m == 0) return false;
+    const auto is_zero = [&](int k, int l) { return f.values().at({k, l}) == 0; };
     std::size_t zeros = 0, corner_zeros = 0;
     for (std::size_t k = 0; k < f.size(); ++k) zeros += f.sign(k) == Sign::zero;
-    for (int a = 0; a < 2; ++a)
-      for (int b = 0; b < 2; ++b) corner_zeros += tree_.corner_sign(i, a, b) == Sign::zero;
-    return f.degree(0) > 0 && f.degree(1) > 0 && zeros == corner_zeros;
+    for (const int k : {0, n})
+      for (const int l : {0, m}) {
+        if (!is_zero(k, l)) continue;
+        ++corner_zeros;
+        // With degree one an edge has no coefficients but its corners: two zeros there are a whole edge of zeros.
+        if (is_zero(k == 0 ? 1 : n - 1, l) || is_zero(k, l == 0 ? 1 : m - 1)) return false;
+      }
+    return zeros == corner_zeros;
   }
 
   /// Cuts where no special point lies and the equation does not vanish along the cut.
@@ -276,8 +284,9 @@ private:
       spread[v] = tree_.degrees()[static_cast<std::size_t>(v)] * std::max(std::abs(lo), std::abs(hi));
     }
     const Box<2>& box = tree_[i].box;
-    if (box.width(0) > 8 * box.width(1)) return 0;
-    if (box.width(1) > 8 * box.width(0)) return 1;
+    // Long cells are cut across, but not along a variable that hardly matters.
+    if (box.width(0) > 8 * box.width(1) && 16 * spread[0] > spread[1]) return 0;
+    if (box.width(1) > 8 * box.width(0) && 16 * spread[1] > spread[0]) return 1;
     return spread[1] > spread[0] ? 1 : 0;
   }
 
