@@ -211,8 +211,9 @@ private:
         vertex.feet.push_back({k, feature_at(from.at[k]), {s_->domain[k].at(from.at[k])}});
       if (vertex.kind == Vertex_kind::infinity) add_asymptote(from, vertex);
       else {
-        const Arc_point<2> p = finished(*s_, place(*s_, from.at));
-        if (p.error() <= largest_vertex_error * data_.scale) {
+        const Placed placed = place(*s_, from.at);
+        if (diameter(placed.point) <= largest_vertex_error * s_->scale) {
+          const Arc_point<2> p = finished(*s_, placed);
           vertex.point = p.point();
           vertex.radius = p.radius();
         } else {
@@ -224,7 +225,7 @@ private:
   }
 
   /// Beyond this part of the inputs' diameter a vertex's point is not given: where the curves touch, both formulas are 0/0.
-  static constexpr double largest_vertex_error = 1e-6;
+  static constexpr double largest_vertex_error = 1e-3;
 
   void report_unplaced(const Graph_vertex& from)
   {

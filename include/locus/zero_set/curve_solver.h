@@ -207,8 +207,9 @@ private:
   /// The variable along which the polynomial varies more steadily.
   int preferred_pivot(Index i) const
   {
-    double score[2];
+    double score[2] = {-1, -1};
     for (int v = 0; v < 2; ++v) {
+      if (tree_.degrees()[static_cast<std::size_t>(v)] == 0) continue;
       double lo, hi;
       tree_.difference_range(i, v, lo, hi);
       score[v] = lo > 0 || hi < 0 ? std::min(std::abs(lo), std::abs(hi)) / std::max(std::abs(lo), std::abs(hi)) : -1;
@@ -277,8 +278,9 @@ private:
 
   int cut_variable(Index i) const
   {
-    double spread[2];
+    double spread[2] = {0, 0};
     for (int v = 0; v < 2; ++v) {
+      if (tree_.degrees()[static_cast<std::size_t>(v)] == 0) continue;
       double lo, hi;
       tree_.difference_range(i, v, lo, hi);
       spread[v] = tree_.degrees()[static_cast<std::size_t>(v)] * std::max(std::abs(lo), std::abs(hi));
