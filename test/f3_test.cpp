@@ -141,7 +141,7 @@ TEST_CASE("the exact F3 is -Im(e² ā b̄) up to one factor for a pair, positive
     for (int k = 0; k < 260; ++k) {
       const auto pair = random_pair(random);
       if (!pair) continue;
-      const auto& [a, b] = *pair;
+      const auto &a = pair->first, &b = pair->second;
       const Curve_pair_equation<F3_form> equation(planar(a), planar(b));
       const Bernstein<Rational, 2> f = equation.exact().rational();
       degree_samples.expect(equation.degrees() == Degrees<2>{expected_degree(a), expected_degree(b)},
@@ -235,7 +235,7 @@ TEST_CASE("F3's enclosures hold the exact coefficients on any box, and are tight
     for (int k = 0; k < 120; ++k) {
       const auto pair = random_pair(random);
       if (!pair) continue;
-      const auto& [a, b] = *pair;
+      const auto &a = pair->first, &b = pair->second;
       const Curve_pair_equation<F3_form> equation(planar(a), planar(b));
       const Bernstein<Rational, 2> whole = equation.exact().rational();
       // The exact form and the enclosure may differ by one positive factor; find it on the unit box.
@@ -332,7 +332,7 @@ TEST_CASE("F1 of Elber & Kim 1998 (3) is -W·F3 as a polynomial identity", "[f3]
     for (int k = 0; k < 60; ++k) {
       const auto pair = random_pair(random);
       if (!pair) continue;
-      const auto& [a, b] = *pair;
+      const auto &a = pair->first, &b = pair->second;
       const auto first = planar(a), second = planar(b);
       const Bernstein<Rational, 2> f1 = locus::f1(*first, *second), f2 = locus::f2(*first, *second);
       const Plain_curve p(a), q(b);
@@ -379,7 +379,7 @@ TEST_CASE("F3 is W times the difference of the squared distances of the normals'
     for (int k = 0; k < 120; ++k) {
       const auto pair = random_pair(random);
       if (!pair) continue;
-      const auto& [a, b] = *pair;
+      const auto &a = pair->first, &b = pair->second;
       const Bernstein<Rational, 2> f = Curve_pair_equation<F3_form>(planar(a), planar(b)).exact().rational();
       const Plain_curve p(a), q(b);
       int orientation = 0;
