@@ -144,8 +144,11 @@ TEST_CASE("the exact F3 is -Im(e² ā b̄) up to one factor for a pair, positive
       const auto &a = pair->first, &b = pair->second;
       const Curve_pair_equation<F3_form> equation(planar(a), planar(b));
       const Bernstein<Rational, 2> f = equation.exact().rational();
-      degree_samples.expect(equation.degrees() == Degrees<2>{expected_degree(a), expected_degree(b)},
-                            [&] { return show(equation.degrees()) + " of " + show(a, b); });
+      const auto primitive = [](const Control_curve& c) { return Plain_curve(c).with_primitive_tangent().ax.size() == Plain_curve(c).ax.size(); };
+      const auto plain = [&](const Control_curve& c) { return kind_of(c) != Carrier::Kind::general || primitive(c); };
+      if (plain(a) && plain(b)) // (a doubled end point and the like make the degree less)
+        degree_samples.expect(equation.degrees() == Degrees<2>{expected_degree(a), expected_degree(b)},
+                              [&] { return show(equation.degrees()) + " of " + show(a, b); });
       const Plain_curve first(a), second(b);
       const bool general = kind_of(a) == Carrier::Kind::general && kind_of(b) == Carrier::Kind::general;
       // For lines and circles a factor of one variable alone is left out: F at four points in a rectangle tells.
@@ -176,9 +179,7 @@ TEST_CASE("the exact F3 is -Im(e² ā b̄) up to one factor for a pair, positive
       samples.expect(one_sign && separable, [&] { return show(a, b); });
       if (general) {
         // (The common real factor without zeros that a tangent may have is divided out or not.)
-        const Plain_curve p = first.with_primitive_tangent(), q = second.with_primitive_tangent();
-        const bool coprime = p.ax.size() == first.ax.size() && q.ax.size() == second.ax.size();
-        if (coprime) {
+        if (primitive(a) && primitive(b)) {
           ++constant_factors;
           samples.expect(constant && orientation >= 0, [&] { return "not one positive factor: " + show(a, b); });
         }
@@ -186,7 +187,7 @@ TEST_CASE("the exact F3 is -Im(e² ā b̄) up to one factor for a pair, positive
     }
   });
   CHECK(constant_factors > 60);
-  LOCUS_REQUIRE_SAMPLES(degree_samples, 200);
+  LOCUS_REQUIRE_SAMPLES(degree_samples, 150);
   LOCUS_REQUIRE_SAMPLES(samples, 200);
 }
 
@@ -449,7 +450,7 @@ TEST_CASE("on a circle F3 is divided by the squared denominator and nothing else
       samples.expect(ok, [&] { return show(arc, other); });
     }
   });
-  LOCUS_REQUIRE_SAMPLES(samples, 60);
+  LOCUS_REQUIRE_SAMPLES(samples, 40);
 }
 
 TEST_CASE("carriers are recognised exactly, and not by a margin", "[f3]")
@@ -459,7 +460,7 @@ TEST_CASE("carriers are recognised exactly, and not by a margin", "[f3]")
   const Rational tiny = two_to(-40);
   for (int k = 0; k < 40; ++k) {
     // A line of any degree: collinear control points in any order, with weights or without.
-    const Exact_pair p{random.rational(), random.rational()}, d{random.rational(), Rational(random.rational() + 7)};
+    const Exact_pair p{random.rational(), random.rational()}, d{random.rational(), Rational(1 + abs(random.rational()))};
     Control_curve line;
     const int n = random.between(1, 4);
     for (int i = 0; i <= n; ++i) {
@@ -474,6 +475,7 @@ TEST_CASE("carriers are recognised exactly, and not by a margin", "[f3]")
     if (n > 1) {
       Control_curve bent = line;
       bent.points[1][0] += tiny * d[1];
+      bent.points[1][1] -= tiny * d[0];
       samples.expect(kind_of(bent) == Carrier::Kind::general, [&] { return "bent line " + show(bent); });
     }
     // A circle, also elevated and reparametrised.
