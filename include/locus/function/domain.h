@@ -14,16 +14,19 @@ namespace locus {
 /// How two neighbouring pieces of a variable's domain meet. Continuity is that of the point x = p/w, not of its
 /// homogeneous form.
 enum class Joint_kind : unsigned char {
-  smooth, ///< C^k for the `order` k given with it
+  smooth, ///< C^k for the `order` k ≥ 1 given with it
   g1,     ///< tangent directions agree, their lengths do not
-  corner, ///< the tangent turns
-  seam,   ///< the two ends of a closed curve
+  corner, ///< the tangent turns, or the curve reverses (a cusp)
   pole    ///< the curve passes through infinity
 };
 
 struct Joint {
   Joint_kind kind = Joint_kind::smooth;
-  int order = 0;
+  int order = 1;             ///< of continuity, for smooth joints
+  bool by_tolerance = false; ///< the tangent turns, by less than the user's tolerance: taken as smooth
+
+  /// Normals turn continuously here, so loci go on across it.
+  bool goes_on() const { return kind == Joint_kind::smooth || kind == Joint_kind::g1; }
 };
 
 /// One span of a variable: the unit interval of a Bernstein form, mapped affinely onto [lo, hi]; or, for the
@@ -44,8 +47,8 @@ struct Piece {
   }
 };
 
-/// The domain of one variable: pieces in order and the joints between them (the last joint, where there are as many
-/// as pieces, closes the chain).
+/// The domain of one variable: pieces in order and the joints between them. The last joint, where there are as many as
+/// pieces, is the seam that closes the chain.
 struct Chain {
   std::vector<Piece> pieces = std::vector<Piece>(1);
   std::vector<Joint> joints;
