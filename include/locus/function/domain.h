@@ -4,8 +4,10 @@
 
 #include <locus/number/rational.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -21,6 +23,9 @@ enum class Joint_kind : unsigned char {
 };
 
 struct Joint {
+  /// Order of a joint at which both pieces are one and the same rational function.
+  static constexpr int any_order = std::numeric_limits<int>::max();
+
   Joint_kind kind = Joint_kind::smooth;
   int order = 1;             ///< of continuity, for smooth joints
   bool by_tolerance = false; ///< the tangent turns, by less than the user's tolerance: taken as smooth
@@ -30,7 +35,8 @@ struct Joint {
 };
 
 /// One span of a variable: the unit interval of a Bernstein form, mapped affinely onto [lo, hi]; or, for the
-/// projective pieces of an infinite domain, by u = lo/s (s from 0 to 1, lo = ±1) with `hi` or `lo` at infinity.
+/// projective pieces of an infinite domain, u = lo/(1-s) onto [lo, ∞) with lo > 0, or u = hi/s onto (-∞, hi] with hi < 0.
+/// The local coordinate s grows with u from 0 to 1. The end that is infinite has no meaning as a number.
 struct Piece {
   Rational lo = 0, hi = 1;
   bool lo_infinite = false, hi_infinite = false;
@@ -44,6 +50,16 @@ struct Piece {
     const Rational t = hi_infinite ? Rational(1 - s) : s;
     if (t == 0) return std::nullopt;
     return Rational((hi_infinite ? lo : hi) / t);
+  }
+
+  bool contains(const Rational& u) const { return (lo_infinite || lo <= u) && (hi_infinite || u <= hi); }
+
+  /// The local coordinate of a value that the piece contains.
+  Rational local(const Rational& u) const
+  {
+    if (hi_infinite) return Rational(1 - lo / u);
+    if (lo_infinite) return Rational(hi / u);
+    return Rational((u - lo) / (hi - lo));
   }
 };
 

@@ -26,6 +26,36 @@ inline Rational homogeneous_determinant(const Curve_piece<2>& c, std::size_t i, 
   return Rational(x[i] * (y[j] * w(k) - y[k] * w(j)) - y[i] * (x[j] * w(k) - x[k] * w(j)) + w(i) * (x[j] * y[k] - x[k] * y[j]));
 }
 
+/// Two points of a piece that differ, in the order of the parameter: the ends where that will do. Of degree + 2 parameters
+/// one gives another point than the first does.
+inline std::array<Exact_point<2>, 2> two_points_of(const Curve_piece<2>& c)
+{
+  std::vector<Rational> at{0, 1, Rational(1, 2)};
+  const long n = c.degree() + 2;
+  for (long i = 1; i < n; ++i) {
+    Rational s(i, n);
+    s.canonicalize();
+    at.push_back(s);
+  }
+  std::array<Exact_point<2>, 2> found;
+  std::optional<Rational> first;
+  for (const Rational& s : at) {
+    const Rational w = evaluate_at(c.weight, s);
+    if (w == 0) continue; // at infinity
+    Exact_point<2> p;
+    for (std::size_t v = 0; v < 2; ++v) p[v] = evaluate_at(c.numerator[v], s) / w;
+    if (!first) {
+      first = s;
+      found[0] = p;
+    } else if (p != found[0]) {
+      found[1] = p;
+      if (s < *first) std::swap(found[0], found[1]);
+      return found;
+    }
+  }
+  throw std::logic_error("locus: a piece that is a single point has no direction");
+}
+
 /// A piece lies on a line exactly when its homogeneous control points span a plane.
 inline std::optional<Carrier> line_of(const Curve_piece<2>& c)
 {
@@ -37,20 +67,15 @@ inline std::optional<Carrier> line_of(const Curve_piece<2>& c)
         if (homogeneous_determinant(c, i, j, k) != 0) return std::nullopt;
   Carrier line;
   line.kind = Carrier::Kind::line;
-  // Two points of the curve that differ: the middle one will do for a closed parametrisation.
-  const std::array<Rational, 3> at{Rational(0), Rational(1), Rational(1, 2)};
-  std::array<Exact_point<2>, 3> p;
-  for (std::size_t s = 0; s < 3; ++s)
-    for (std::size_t v = 0; v < 2; ++v) p[s][v] = evaluate_at(c.numerator[v], at[s]) / evaluate_at(c.weight, at[s]);
-  const std::size_t other = p[0] != p[1] ? 1 : 2;
-  line.direction = {Rational(p[other][0] - p[0][0]), Rational(p[other][1] - p[0][1])};
+  const auto ends = two_points_of(c);
+  line.direction = {Rational(ends[1][0] - ends[0][0]), Rational(ends[1][1] - ends[0][1])};
   return line;
 }
 
 /// A piece lies on a circle exactly when |p - c·w|² = ρ²·w² identically, for the circle through three of its points.
 inline std::optional<Carrier> circle_of(const Curve_piece<2>& c)
 {
-  if (c.is_polynomial()) return std::nullopt;
+  if (c.is_polynomial() || c.weight[0] == 0 || c.weight[c.weight.size() - 1] == 0) return std::nullopt; // reaches infinity
   std::array<Exact_point<2>, 4> p;
   for (std::size_t s = 0; s < 4; ++s) {
     const Rational u(static_cast<long>(s), 3);

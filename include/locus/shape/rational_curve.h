@@ -2,11 +2,13 @@
 #ifndef LOCUS_SHAPE_RATIONAL_CURVE_H
 #define LOCUS_SHAPE_RATIONAL_CURVE_H
 
-#include <locus/function/descartes.h>
 #include <locus/function/domain.h>
+#include <locus/function/rational_root.h>
 #include <locus/shape/invalid_input.h>
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,8 @@ struct Curve_piece {
 };
 
 /// A rational curve in Dim dimensions with exact rational coefficients: Bézier pieces in order over a chain of domain
-/// pieces. Valid by construction: no pole on its domain, not a single point. Immutable.
+/// pieces. Valid by construction: weights positive inside the pieces and, but where the curve reaches infinity, at their
+/// ends; no piece is a single point. Immutable.
 template <int Dim>
 class Rational_curve {
 public:
@@ -52,19 +55,28 @@ inline bool all_of_one_sign(const Bernstein<Rational, 1>& f)
   return true;
 }
 
+/// Where on the unit interval a weight, not identically zero, has its first zero: within 2^-40 of it.
+inline std::optional<Rational> near_pole(const Bernstein<Rational, 1>& weight)
+{
+  if (all_of_one_sign(weight)) return std::nullopt;
+  const auto set = exact_roots(Bernstein<Scaled_integer, 1>(weight), Rational(0), Rational(1));
+  if (set.roots.empty()) return std::nullopt;
+  return near_value(set.roots[0]);
+}
+
+inline bool is_zero(const Bernstein<Rational, 1>& f)
+{
+  return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Rational& c) { return c == 0; });
+}
+
 inline void reject_poles(const Bernstein<Rational, 1>& weight)
 {
-  if (all_of_one_sign(weight)) return;
-  auto set = exact_roots(Bernstein<Scaled_integer, 1>(weight), Rational(0), Rational(1));
-  if (set.identically_zero)
+  if (is_zero(weight))
     throw Invalid_input(".weights", "all weights are zero", "give at least the end points positive weights");
-  if (set.roots.empty()) return;
-  auto& pole = set.roots[0];
-  while (!pole.is_exact() && Rational(pole.hi - pole.lo) > Rational(1, 1 << 24))
-    bisect_exactly(*pole.factor, Rational(0), Rational(1), pole);
-  const double u = Rational((pole.lo + pole.hi) / 2).get_d();
-  throw Invalid_input(".weights", "the denominator vanishes on the domain near u = " + std::to_string(u) + " (a pole)",
-                      "use positive weights");
+  if (const auto u = near_pole(weight))
+    throw Invalid_input(".weights",
+                        "the denominator vanishes on the domain near u = " + std::to_string(u->get_d()) + " (a pole)",
+                        "use positive weights");
 }
 
 /// Divides numerator and weight by their common polynomial factor, if they have one.
