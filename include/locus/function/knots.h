@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace locus {
@@ -100,6 +102,12 @@ Knots knots_over(int degree, const std::vector<Rational>& breaks, Continuity con
     knots.values.insert(knots.values.end(), static_cast<std::size_t>(degree - c), breaks[i]);
   }
   return knots;
+}
+
+/// The same knots inside the domain, each end of which stands degree + 1 times; values outside it are gone.
+inline Knots clamped(const Knots& knots)
+{
+  return knots_over(knots.degree, knots.breaks(), [&](const Rational& u) { return knots.continuity(u); });
 }
 
 /// The knots mapped by the increasing affine map that takes their domain to [lo, hi]. Throws std::invalid_argument

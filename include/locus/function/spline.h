@@ -38,6 +38,12 @@ public:
   const Knot_array<D>& knots() const { return knots_; }
   const Knots& knots(int variable) const { return knots_[static_cast<std::size_t>(variable)]; }
   int degree(int variable = 0) const { return knots(variable).degree; }
+  Degrees<D> degrees() const
+  {
+    Degrees<D> degrees{};
+    for (std::size_t k = 0; k < degrees.size(); ++k) degrees[k] = knots_[k].degree;
+    return degrees;
+  }
   const std::vector<T>& coefficients() const { return coefficients_; }
   std::size_t size() const { return coefficients_.size(); }
   const T& operator[](std::size_t i) const { return coefficients_[i]; }
@@ -158,41 +164,41 @@ Degrees<D> last_span(const Break_array<D>& breaks)
   return last;
 }
 
-/// Walks over the control coefficients of one span of a spline on `bernstein_knots`: calls back with each one's index.
-template <class T, int D, class Visit>
-void for_each_of_span(const Spline<T, D>& f, const Degrees<D>& degrees, const Degrees<D>& span, Visit visit)
+/// Calls back with the index of each control coefficient of one span, for a spline on `bernstein_knots` of these degrees
+/// over a grid with this greatest span.
+template <std::size_t N, class Visit>
+void for_each_of_span(const std::array<int, N>& degrees, const std::array<int, N>& last, const std::array<int, N>& span,
+                      Visit visit)
 {
-  const Degrees<D> last = f.last_index();
-  Degrees<D> i{};
+  std::array<int, N> i{};
   do {
     std::size_t at = 0;
-    for (std::size_t k = 0; k < i.size(); ++k)
-      at = at * (static_cast<std::size_t>(last[k]) + 1) + static_cast<std::size_t>(span[k] * (degrees[k] + 1) + i[k]);
+    for (std::size_t k = 0; k < N; ++k)
+      at = at * static_cast<std::size_t>((last[k] + 1) * (degrees[k] + 1)) +
+           static_cast<std::size_t>(span[k] * (degrees[k] + 1) + i[k]);
     visit(at);
   } while (advance_index(i, degrees));
 }
 
-/// Bernstein forms on the cells between breaks that include all those of f.
+/// Bernstein forms on the cells between breaks that include all those of f inside their range.
 template <class T, int D>
 std::vector<Spline_span<T, D>> spans_between(Spline<T, D> f, const Break_array<D>& breaks)
 {
-  Degrees<D> degrees{};
-  for (std::size_t k = 0; k < breaks.size(); ++k) {
-    degrees[k] = f.degree(static_cast<int>(k));
-    f = on_knots(f, static_cast<int>(k), bernstein_knots(degrees[k], breaks[k]));
-  }
+  for (int k = 0; k < D; ++k)
+    f = on_knots(f, k, bernstein_knots(f.degree(k), breaks[static_cast<std::size_t>(k)]));
+  const Degrees<D> last = last_span<D>(breaks);
   std::vector<Spline_span<T, D>> spans;
   Degrees<D> cell{};
   do {
-    Spline_span<T, D> span{{}, {}, Bernstein<T, D>(degrees)};
-    for (std::size_t k = 0; k < breaks.size(); ++k) {
+    Spline_span<T, D> span{{}, {}, Bernstein<T, D>(f.degrees())};
+    for (std::size_t k = 0; k < cell.size(); ++k) {
       span.lo[k] = breaks[k][static_cast<std::size_t>(cell[k])];
       span.hi[k] = breaks[k][static_cast<std::size_t>(cell[k]) + 1];
     }
     std::size_t n = 0;
-    for_each_of_span(f, degrees, cell, [&](std::size_t at) { span.form[n++] = f[at]; });
+    for_each_of_span(f.degrees(), last, cell, [&](std::size_t at) { span.form[n++] = f[at]; });
     spans.push_back(std::move(span));
-  } while (advance_index(cell, last_span<D>(breaks)));
+  } while (advance_index(cell, last));
   return spans;
 }
 
