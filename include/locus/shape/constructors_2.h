@@ -2,6 +2,7 @@
 #ifndef LOCUS_SHAPE_CONSTRUCTORS_2_H
 #define LOCUS_SHAPE_CONSTRUCTORS_2_H
 
+#include <locus/shape/monomial_curve.h>
 #include <locus/shape/spline_curve.h>
 
 namespace locus {
@@ -84,6 +85,31 @@ inline Curve_2 polyline_2(const std::vector<Coordinates_2>& points, bool closed 
   for (std::size_t i = 0; i < vertices.size(); ++i) knots.push_back(static_cast<long>(i));
   knots.push_back(knots.back());
   return bspline_curve<2>(1, vertices, knots, {}, closed);
+}
+
+namespace detail {
+
+inline Curve_2 straight_curve(const Coordinates_2& point, const Coordinates_2& direction, const Parameter_domain& domain)
+{
+  const Exact_point<2> p = exact(point), d = exact(direction);
+  if (d[0] == 0 && d[1] == 0)
+    throw Invalid_input(".direction", "a direction must not be zero", "give a vector along the line");
+  return monomial_curve<2>({{{p[0], d[0]}, {p[1], d[1]}}}, {}, domain);
+}
+
+} // namespace detail
+
+/// The line point + u·direction, u from -∞ to ∞: three pieces, two of them projective. Throws Invalid_input for a zero
+/// direction.
+inline Curve_2 line_2(const Coordinates_2& point, const Coordinates_2& direction)
+{
+  return detail::straight_curve(point, direction, {});
+}
+
+/// The ray point + u·direction, u from 0 to ∞: two pieces, the second projective. Throws Invalid_input for a zero direction.
+inline Curve_2 ray_2(const Coordinates_2& point, const Coordinates_2& direction)
+{
+  return detail::straight_curve(point, direction, {Rational(0), std::nullopt});
 }
 
 /// The ellipse centre + p·cos φ + q·sin φ with conjugate half diameters p and q, starting at centre + p towards
