@@ -55,7 +55,6 @@ LINE = {"curve": {"degree": 1, "control_points": [[0, 4], [3, 5]]}}
 SPLINE = {"curve": {"degree": 2, "control_points": [[0, 0], [1, 2], [2, -1], [3, 1]], "knots": [0, 0, 0, 1, 2, 2, 2]}}
 SPACE = {"curve": {"degree": 1, "control_points": [[0, 0, 0], [1, 1, 1]]}}
 PLANE = {"surface": {"degrees": [1, 1], "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]]}}
-MONOMIAL = {"curve": {"monomial": {"x": [0, 1], "y": [0, 0, 1]}, "domain": ["-3", "inf"]}}
 BASE = {"compute": "bisector", "inputs": [CUBIC, LINE], "options": {"trimmed": False}}
 TEXT = json.dumps(BASE)
 
@@ -181,6 +180,9 @@ INVALID = [
     ("pole of a spline", spline(weights=[1, -3, -3, 1]), ["inputs[1].curve.weights", "pole"]),
     ("spline that is one point", spline(control_points=[[1, 1]] * 4), ["inputs[1].curve.control_points", "single point"]),
     ("closed spline that is open", spline(closed=True), ["inputs[1].curve.closed"]),
+    ("spline that jumps where points differ", spline(degree=1, knots=[0, 0, 1, 1, 2, 2]), ["inputs[1].curve.knots[3]", "jumps"]),
+    ("spline that stands still", spline(control_points=[[0, 0], [1, 2], [1, 2], [3, 1]], degree=1, knots=[0, 0, 1, 2, 3, 3]), ["inputs[1].curve.control_points", "stands still", "knots[2]"]),
+    ("closed line", job((("inputs", 1), {"curve": {"monomial": {"x": [0, 1], "y": [1]}, "domain": ["-inf", "inf"], "closed": True}})), ["inputs[1].curve.closed", "infinity"]),
     ("domain without monomials", job((curve("domain"), [0, 1])), ["inputs[1].curve", "domain"]),
     ("monomials and control points", job((curve("monomial"), {"x": [0, 1], "y": [1]})), ["inputs[1].curve", "exclude"]),
     ("monomials without y", job((("inputs", 1), {"curve": {"monomial": {"x": [0, 1]}, "domain": [0, 1]}})), ["inputs[1].curve.monomial", '"y"']),
@@ -214,14 +216,6 @@ MISSING = [
     ("trimmed", job((("options", "trimmed"), True)), ["options.trimmed"]),
     ("point and curve", job((("inputs", 1), {"point": [0.1, "1/3"]})), ["inputs[1]", "point"]),
     ("two points", job((("inputs",), [{"point": [0, 0]}, {"point": [1, 1]}])), ["inputs[0]", "point"]),
-    ("self-bisector", job((("inputs",), [CUBIC])), ["self-bisector"]),
-    ("spline", job((("inputs", 1), SPLINE)), ["inputs[1]", "B-spline"]),
-    ("spline with weights", spline(weights=[1, 2, 3, 4]), ["inputs[1]", "B-spline"]),
-    ("spline with a negative weight, no pole", spline(weights=["1", "-1/8", "1", "1"]), ["inputs[1]", "B-spline"]),
-    ("spline without clamps", spline(knots=[0, 1, 2, 3, 4, 5, 6]), ["inputs[1]", "B-spline"]),
-    ("closed curve", job((("inputs", 1), {"curve": {"degree": 3, "control_points": [[0, 0], [1, 0], [0, 1], [0, 0]], "closed": True}})), ["inputs[1]", "closed"]),
-    ("closed spline", spline(control_points=[[0, 0], [1, 2], [2, -1], [0, 0]], closed=True), ["inputs[1]"]),
-    ("monomials", job((("inputs", 1), MONOMIAL)), ["inputs[1]", "monomial"]),
     ("curves in space", job((("inputs",), [SPACE, SPACE])), ["inputs[0]", "space"]),
     ("curve and surface", job((("inputs",), [SPACE, PLANE])), ["inputs[0]", "space"]),
     ("surfaces", job((("inputs",), [PLANE, PLANE])), ["inputs[0]", "surface"]),
@@ -231,9 +225,9 @@ MISSING = [
     ("evolute", job((("compute",), "evolute"), (("inputs",), [CUBIC])), ["evolute"]),
     ("silhouette", json.dumps({"compute": "silhouette", "inputs": [PLANE], "eye": [0, 0, 1]}), ["silhouette"]),
     ("sweep", json.dumps({"compute": "sweep", "inputs": [PLANE], "motion": {}}), ["sweep"]),
-    ("join tolerance", job((("options", "join_tolerance"), 1e-8)), ["options.join_tolerance"]),
     ("high degree", job((("inputs", 1), {"curve": {"degree": 500, "control_points": [[i, i * i] for i in range(501)]}})), ["inputs[1]", "degree"]),
-    ("cusp", job((("inputs", 1), {"curve": {"degree": 3, "control_points": [[0, 0], [3, 3], [0, 3], [3, 0]]}})), ["cusp"]),
+    ("irrational cusp", job((("inputs", 1), {"curve": {"monomial": {"x": [0, "-1/2", 0, "1/3"], "y": [0, 0, "-1/4", 0, "1/4"]}, "domain": [0, 1]}})), ["cusp"]),
+    ("irrational pole", job((("inputs", 1), {"curve": {"monomial": {"x": [1], "y": [0, 1], "w": [-2, 0, 1]}, "domain": [0, "inf"]}})), ["inputs[1]", "pole", "1.41421"]),
 ]
 
 

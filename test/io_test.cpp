@@ -253,65 +253,193 @@ Rational basis(const std::vector<Rational>& u, std::size_t i, int d, const Ratio
   return sum;
 }
 
+/// Value of a coordinate of a curve at a parameter that is not its last: from the piece that holds it.
+Rational value_at(const Curve_2& c, std::size_t axis, const Rational& u)
+{
+  for (std::size_t k = 0; k < c.pieces().size(); ++k) {
+    const Piece& p = c.chain().pieces[k];
+    if ((!p.lo_infinite && u < p.lo) || (!p.hi_infinite && u >= p.hi)) continue;
+    const Rational s = p.hi_infinite   ? Rational(1 - p.lo / u)
+                       : p.lo_infinite ? Rational(p.hi / u)
+                                       : Rational((u - p.lo) / (p.hi - p.lo));
+    return Rational(plain_value<1>(c.pieces()[k].numerator[axis], {s}) / plain_value<1>(c.pieces()[k].weight, {s}));
+  }
+  throw std::logic_error("no piece holds the parameter");
+}
+
+template <class List>
+std::string json_list(const List& numbers)
+{
+  std::string text = "[";
+  for (const auto& x : numbers) text += (text.size() > 1 ? ", \"" : "\"") + x.get_str() + "\"";
+  return text + "]";
+}
+
+const Curve_2& second_curve(const Job& job) { return job.inputs.at(1).curve.value(); }
+
 } // namespace
 
-TEST_CASE("the spans of a B-spline in Bernstein form")
+TEST_CASE("a job's B-splines against the basis functions' definition")
 {
   Random random(2);
   Samples samples;
-  for (int round = 0; round < 150; ++round) {
+  int many = 0;
+  for (int round = 0; round < 120; ++round) {
     const int d = random.between(1, 4);
     const auto n = static_cast<std::size_t>(d + random.between(1, 5));
-    detail::Knots knots{{}, d};
+    std::vector<Rational> u, w;
     Rational last = random.between(-5, 5);
-    for (std::size_t i = 0; i < n + knots.order(); ++i) {
+    for (std::size_t i = 0; i < n + static_cast<std::size_t>(d) + 1; ++i) {
       if (!random.chance(35)) last += Rational(random.between(1, 6)) / 3;
-      knots.values.push_back(last);
+      u.push_back(last);
     }
-    if (knots.start() == knots.finish()) continue;
-    std::vector<Rational> c;
-    for (std::size_t i = 0; i < n; ++i) c.push_back(random.between(-9, 9));
-    for (const std::size_t k : knots.spans()) {
-      const Bernstein<Rational, 1> f(Degrees<1>{d}, detail::bernstein_of_span(c, knots, k));
-      for (int i = 0; i < 4; ++i) {
-        const Rational s = Rational(i) / 4, x = knots.values[k] + s * (knots.values[k + 1] - knots.values[k]);
-        Rational sum = 0;
-        for (std::size_t j = 0; j < n; ++j) sum += c[j] * basis(knots.values, j, d, x);
-        samples.expect(plain_value<1>(f, {s}) == sum,
-                       [&] { return "degree " + show(d) + ", knots " + show(knots.values) + " at " + show(x); });
+    std::vector<std::array<Rational, 2>> points;
+    std::string list;
+    for (std::size_t i = 0; i < n; ++i) {
+      points.push_back({Rational(random.between(-99, 99)), Rational(random.between(-99, 99))});
+      list += (i ? ", " : "") + json_list(points.back());
+      w.push_back(random.between(1, 5));
+    }
+    const std::string text = job_with("{\"degree\": " + std::to_string(d) + ", \"control_points\": [" + list +
+                                      "], \"knots\": " + json_list(u) + ", \"weights\": " + json_list(w) + "}");
+    if (!job_complaint(text).empty()) continue; // knots repeated too often
+    const Job job = read_job(text);
+    const Curve_2& c = second_curve(job);
+    CHECK(c.chain().pieces.front().lo == u[static_cast<std::size_t>(d)]);
+    CHECK(c.chain().pieces.back().hi == u[n]);
+    many += c.pieces().size() > 1;
+    for (int i = 0; i < 8; ++i) {
+      const Rational x = u[static_cast<std::size_t>(d)] + Rational(i) / 8 * (u[n] - u[static_cast<std::size_t>(d)]);
+      std::array<Rational, 3> sum{};
+      for (std::size_t j = 0; j < n; ++j) {
+        const Rational b = basis(u, j, d, x) * w[j];
+        sum[0] += b * points[j][0];
+        sum[1] += b * points[j][1];
+        sum[2] += b;
       }
+      for (std::size_t v = 0; v < 2; ++v)
+        samples.expect(value_at(c, v, x) == Rational(sum[v] / sum[2]), [&] { return text + " at " + show(x); });
     }
   }
-  LOCUS_REQUIRE_SAMPLES(samples, 1000);
+  CHECK(many > 20);
+  LOCUS_REQUIRE_SAMPLES(samples, 800);
 }
 
 TEST_CASE("a B-spline of one span is a Bezier curve over that span")
 {
   const Job clamped = read_job(
     job_with(R"({"degree": 2, "control_points": [[0,0],[1,2],[3,0]], "weights": [1,2,3], "knots": [2,2,2,5,5,5]})"));
-  const Curve_2& c = clamped.inputs[1].curve.value();
+  const Curve_2& c = second_curve(clamped);
   CHECK(c.chain().pieces[0].lo == 2);
   CHECK(c.chain().pieces[0].hi == 5);
-  const Rational s(1, 3), w = plain_value<1>(c.pieces()[0].weight, {s}),
-                          y = plain_value<1>(c.pieces()[0].numerator[1], {s});
-  const Rational expected = Rational(2 * 2 * 2 * 2) / Rational(4 + 2 * 4 + 3); // basis 4/9, 4/9, 1/9
-  CHECK(y / w == expected);
+  CHECK(value_at(c, 1, Rational(3)) == Rational(2 * 2 * 2 * 2) / Rational(4 + 2 * 4 + 3)); // basis 4/9, 4/9, 1/9
 
   // Unclamped: the span [2,3] of a uniform quadratic starts and ends in the middles of the control polygon's sides.
   const Job open =
     read_job(job_with(R"({"degree": 2, "control_points": [[0,0],[2,4],[4,0]], "knots": [0,1,2,3,4,5]})"));
-  const Curve_2& o = open.inputs[1].curve.value();
+  const Curve_2& o = second_curve(open);
+  REQUIRE(o.pieces().size() == 1);
   CHECK(o.chain().pieces[0].lo == 2);
   CHECK(o.chain().pieces[0].hi == 3);
-  const Rational w0 = plain_value<1>(o.pieces()[0].weight, {Rational(0)}),
-                 w1 = plain_value<1>(o.pieces()[0].weight, {Rational(1)});
-  CHECK(plain_value<1>(o.pieces()[0].numerator[0], {Rational(0)}) / w0 == 1);
-  CHECK(plain_value<1>(o.pieces()[0].numerator[1], {Rational(0)}) / w0 == 2);
-  CHECK(plain_value<1>(o.pieces()[0].numerator[0], {Rational(1)}) / w1 == 3);
+  CHECK(value_at(o, 0, Rational(2)) == 1);
+  CHECK(value_at(o, 1, Rational(2)) == 2);
+  CHECK(value_at(o, 0, Rational(5, 2)) == 2);
 
   const Job many = read_job(job_with(R"({"degree": 1, "control_points": [[0,0],[2,4],[4,0]], "knots": [0,0,1,2,2]})"));
-  CHECK(!many.inputs[1].curve);
-  CHECK(holds(many.inputs[1].missing, "B-spline"));
+  CHECK(second_curve(many).pieces().size() == 2);
+  CHECK(second_curve(many).chain().joints.at(0).kind == Joint_kind::corner);
+  CHECK_NOTHROW(require_supported(many));
+}
+
+TEST_CASE("a job's closed curves, and curves in monomial form")
+{
+  const Job loop = read_job(job_with(R"({"degree": 3, "control_points": [[0,0],[1,0],[0,1],[0,0]], "closed": true})"));
+  CHECK(second_curve(loop).chain().is_closed());
+  CHECK(second_curve(loop).chain().joints.at(0).kind == Joint_kind::corner);
+  CHECK(loop.inputs[1].missing.empty());
+  const Job cusp = read_job(job_with(R"({"degree": 3, "control_points": [[0,0],[3,3],[0,3],[3,0]]})"));
+  REQUIRE(second_curve(cusp).pieces().size() == 2);
+  CHECK(second_curve(cusp).chain().pieces[0].hi == Rational(1, 2));
+  CHECK(second_curve(cusp).chain().joints.at(0).kind == Joint_kind::corner);
+
+  const Job half = read_job(
+    job_with(R"({"monomial": {"x": [0, 1, 0, 0], "y": [1, 0, "1/3"]}, "domain": ["-inf", "5/2"]})"));
+  const Curve_2& parabola = second_curve(half);
+  CHECK(parabola.chain().pieces.front().lo_infinite);
+  CHECK(parabola.chain().pieces.back().hi == Rational(5, 2));
+  for (const Rational& u : {Rational(-1000), Rational(-1), Rational(1, 7), Rational(2)}) {
+    CHECK(value_at(parabola, 0, u) == u);
+    CHECK(value_at(parabola, 1, u) == Rational(1 + u * u / 3));
+  }
+  const Job circle = read_job(
+    job_with(R"({"monomial": {"x": [1, 0, -1], "y": [0, 2], "w": [1, 0, 1]}, "domain": ["-inf", "inf"]})"));
+  CHECK(second_curve(circle).chain().is_closed());
+  const Job ends = read_job(
+    job_with(R"({"monomial": {"x": [0, 1, -1], "y": [0, 1, 0, -1]}, "domain": [0, 1], "closed": true})"));
+  CHECK(second_curve(ends).chain().is_closed());
+  const Job hyperbola = read_job(
+    job_with(R"({"monomial": {"x": [1], "y": [0, 0, 1], "w": [0, 1]}, "domain": [-2, 2]})"));
+  CHECK(second_curve(hyperbola).chain().joints.at(0).kind == Joint_kind::pole);
+
+  const Job irrational = read_job(
+    job_with(R"({"monomial": {"x": [1], "y": [0, 1], "w": [-2, 0, 1]}, "domain": [0, 2]})"));
+  CHECK(!irrational.inputs[1].curve);
+  CHECK(holds(irrational.inputs[1].missing, "pole at an irrational parameter, near u = 1.41421"));
+  CHECK_THROWS_AS(require_supported(irrational), Unsupported_feature);
+  const Job space = read_job(
+    R"({"compute": "bisector", "inputs": [)"
+    R"({"curve": {"degree": 1, "control_points": [[0,0,0],[1,0,1],[2,1,1]], "knots": [0,0,1,2,2]}},)"
+    R"({"curve": {"monomial": {"x": [0,1], "y": [0], "z": [1]}, "domain": [0, "inf"]}}]})");
+  for (const Job_input& input : space.inputs) CHECK(input.missing == "curves in space");
+}
+
+TEST_CASE("what is wrong with a job's splines and monomials")
+{
+  struct Case {
+    std::string curve, place, rule;
+  };
+  const std::string points = R"({"degree": 1, "control_points": [[0,0],[1,1],[2,0],[3,1]], )";
+  const std::vector<Case> cases{
+    {points + R"("knots": [0,0,1,2,3]})", ".knots", "5 knots for 4 control points of degree 1"},
+    {points + R"("knots": [0,0,2,1,3,3]})", ".knots[3]", "1 follows 2"},
+    {points + R"("knots": [0,0,1,1,3,3]})", ".knots[3]", "repeated degree + 1 times, and the curve jumps"},
+    {points + R"("knots": [0,0,1,1,1,3]})", ".knots[4]", "repeated too often for degree 1"},
+    {points + R"("knots": [0,0,1,2,3,3], "weights": [1,1,-1,1]})", ".weights[2]", "near u = 1.5"},
+    {points + R"("knots": [0,0,1,2,3,3], "closed": true})", ".closed", "the ends of the curve do not coincide"},
+    {R"({"degree": 1, "control_points": [[0,0],[1,1],[1,1],[3,1]], "knots": [0,0,1,2,3,3]})", ".control_points",
+     "stands still between knots[2] and knots[3]"},
+    {R"({"monomial": {"x": [0, 1], "y": [1]}, "domain": [1, "1/2"]})", ".domain", "the interval is empty"},
+    {R"({"monomial": {"x": [0, 1], "y": [1]}, "domain": ["-inf", "inf"], "closed": true})", ".closed", "ends at infinity"},
+    {R"({"monomial": {"x": [0, 1], "y": [1]}, "domain": [0, 1], "closed": true})", ".closed", "do not coincide"},
+  };
+  for (const Case& c : cases) {
+    const std::string found = job_complaint(job_with(c.curve));
+    INFO(c.curve << "\n" << found);
+    const std::string place = "inputs[1].curve" + c.place + " | ";
+    CHECK(found.substr(0, place.size()) == place);
+    CHECK(holds(found, c.rule));
+  }
+  // Two control points of one place: no jump.
+  const std::string twice = R"({"degree": 1, "control_points": [[0,0],[1,1],[1,1],[3,1]], "knots": [0,0,1,1,3,3]})";
+  CHECK(job_complaint(job_with(twice)).empty());
+}
+
+TEST_CASE("a job's join tolerance, and one curve alone")
+{
+  const std::string bent = R"({"degree": 1, "control_points": [[0,0],[1,0],[2,"1/1000"]], "knots": [0,0,1,2,2]})";
+  const Job exact = read_job(job_with(bent));
+  CHECK(second_curve(exact).chain().joints.at(0).kind == Joint_kind::corner);
+  const Job tolerant = read_job(job_with(bent, R"({"trimmed": false, "join_tolerance": 0.0011})"));
+  const Joint joint = second_curve(tolerant).chain().joints.at(0);
+  CHECK(joint.kind == Joint_kind::g1);
+  CHECK(joint.by_tolerance);
+  CHECK_NOTHROW(require_supported(tolerant));
+  const Job tighter = read_job(job_with(bent, R"({"trimmed": false, "join_tolerance": 0.0009})"));
+  CHECK(second_curve(tighter).chain().joints.at(0).kind == Joint_kind::corner);
+
+  const Job alone =
+    read_job(R"({"compute": "bisector", "inputs": [{"curve": )" + bent + R"(}], "options": {"trimmed": false}})");
+  CHECK_NOTHROW(require_supported(alone));
 }
 
 // ---------------------------------------------------------------------------------------------------------- results

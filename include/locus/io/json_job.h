@@ -4,7 +4,8 @@
 
 #include <locus/io/json_text.h>
 #include <locus/shape/invalid_input.h>
-#include <locus/shape/rational_curve.h>
+#include <locus/shape/monomial_curve.h>
+#include <locus/shape/spline_curve.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +17,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,7 +33,7 @@ struct Job_input {
   Kind kind = Kind::curve;
   int dimension = 2;
   std::string place;            ///< "inputs[1]"
-  std::optional<Curve_2> curve; ///< a planar curve of one Bézier piece
+  std::optional<Curve_2> curve; ///< a planar curve, its joints by the job's tolerance
   std::string missing;          ///< otherwise: what this version would need for it
 };
 
@@ -224,185 +226,53 @@ inline std::vector<Rational> read_point(const Json_value& v, const std::string& 
 
 // ----------------------------------------------------------------------------------------------------- B-splines
 
-/// A knot vector and what it says of the parameter.
-struct Knots {
-  std::vector<Rational> values;
-  int degree = 1;
-
-  std::size_t order() const { return static_cast<std::size_t>(degree) + 1; }
-  const Rational& start() const { return values[order() - 1]; }
-  const Rational& finish() const { return values[values.size() - order()]; }
-  /// Indices k of the spans [u_k, u_k+1] of the domain that are no points.
-  std::vector<std::size_t> spans() const
-  {
-    std::vector<std::size_t> out;
-    for (std::size_t k = order() - 1; k + order() < values.size(); ++k)
-      if (values[k] < values[k + 1]) out.push_back(k);
-    return out;
-  }
-};
-
-inline Knots read_knots(const Json_value& v, const std::string& place, int degree, std::size_t points)
+inline Knots read_knots(const Json_value& v, const std::string& place, int degree, std::size_t points, int inner_repeats)
 {
-  Knots knots{read_numbers(v, place), degree};
-  const auto& u = knots.values;
-  const std::size_t wanted = points + knots.order();
-  if (u.size() != wanted)
-    throw Invalid_input(place,
-                        std::to_string(u.size()) + " knots for " + std::to_string(points) +
-                          " control points of degree " + std::to_string(degree),
-                        "give " + std::to_string(wanted) + ": control points + degree + 1");
-  std::size_t repeated = 1;
-  for (std::size_t i = 1; i < u.size(); ++i) {
-    if (u[i] < u[i - 1])
-      throw Invalid_input(element(place, i),
-                          "knots must not decrease, but " + u[i].get_str() + " follows " + u[i - 1].get_str(),
-                          "sort them");
-    repeated = u[i] == u[i - 1] ? repeated + 1 : 1;
-    const bool inside = knots.start() < u[i] && u[i] < knots.finish();
-    if (repeated > knots.order() - (inside ? 1 : 0))
-      throw Invalid_input(element(place, i), "a knot is repeated too often for degree " + std::to_string(degree),
-                          "repeat an end knot at most degree + 1 times, an inner knot at most degree times");
-  }
-  if (knots.start() == knots.finish())
-    throw Invalid_input(place, "the knots span no interval",
-                        "let knots[degree] be less than knots[number of control points]");
+  Knots knots{degree, read_numbers(v, place)};
+  require_knots(knots, points, inner_repeats, place);
   return knots;
-}
-
-/// Bernstein coefficients, on the span [u_k, u_k+1], of the spline with these coefficients: values of its polar form
-/// with j arguments at the span's end and the others at its start.
-inline std::vector<Rational> bernstein_of_span(const std::vector<Rational>& coefficients, const Knots& knots,
-                                               std::size_t k)
-{
-  const std::size_t d = knots.order() - 1;
-  const auto& u = knots.values;
-  std::vector<Rational> out;
-  for (std::size_t j = 0; j <= d; ++j) {
-    std::vector<Rational> c(coefficients.begin() + static_cast<std::ptrdiff_t>(k - d),
-                            coefficients.begin() + static_cast<std::ptrdiff_t>(k + 1));
-    for (std::size_t level = 1; level <= d; ++level) {
-      const Rational& at = level <= j ? u[k + 1] : u[k];
-      for (std::size_t i = d; i >= level; --i) {
-        const Rational& lo = u[k - d + i];
-        const Rational& hi = u[k + 1 + i - level];
-        c[i] = Rational((c[i - 1] * (hi - at) + c[i] * (at - lo)) / (hi - lo));
-      }
-    }
-    out.push_back(c[d]);
-  }
-  return out;
 }
 
 // -------------------------------------------------------------------------------------------------------- curves
 
-/// Control points and weights as homogeneous coordinates: the numerators, then the weight.
-inline std::vector<std::vector<Rational>> homogeneous(const std::vector<std::vector<Rational>>& points,
-                                                      const std::vector<Rational>& weights)
-{
-  std::vector<std::vector<Rational>> out(points[0].size() + 1);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Rational w = weights.empty() ? Rational(1) : weights[i];
-    for (std::size_t k = 0; k < points[i].size(); ++k) out[k].push_back(Rational(points[i][k] * w));
-    out.back().push_back(w);
-  }
-  return out;
-}
-
-/// Are two homogeneous points, the same index of each coordinate, one point?
-inline bool same_point(const std::vector<std::vector<Rational>>& h, std::size_t i, std::size_t j)
-{
-  for (std::size_t k = 0; k + 1 < h.size(); ++k)
-    if (h[k][i] * h.back()[j] != h[k][j] * h.back()[i]) return false;
-  return true;
-}
-
-template <int Dim>
-Rational_curve<Dim> bezier_of(const std::vector<std::vector<Rational>>& points, const std::vector<Rational>& weights)
-{
-  std::vector<Exact_point<Dim>> exact;
-  for (const auto& p : points) {
-    exact.emplace_back();
-    std::copy_n(p.begin(), Dim, exact.back().begin());
-  }
-  return bezier_curve<Dim>(exact, weights);
-}
-
 /// What control points, weights and knots say, checked as far as their numbers go.
 struct Control_data {
+  int degree = 1;
   std::vector<std::vector<Rational>> points;
   std::vector<Rational> weights;
+  std::optional<Knots> knots;
+  bool closed = false;
 };
 
-/// Bézier curve: fills in the planar curve of the input.
-inline void read_bezier(const Control_data& data, Job_input& input)
+template <int Dim>
+Rational_curve<Dim> curve_of(const Control_data& data)
 {
-  if (input.dimension == 2) {
-    input.curve = bezier_of<2>(data.points, data.weights);
-  } else {
-    bezier_of<3>(data.points, data.weights);
-    input.missing = "curves in space";
+  std::vector<Exact_point<Dim>> points;
+  for (const auto& p : data.points) {
+    points.emplace_back();
+    std::copy_n(p.begin(), Dim, points.back().begin());
   }
+  if (data.knots) return bspline_curve<Dim>(data.degree, points, data.knots->values, data.weights, data.closed);
+  const Rational_curve<Dim> bezier = bezier_curve<Dim>(points, data.weights);
+  return split_at_cusps(data.closed ? joined_curve(bezier.pieces(), bezier.chain().pieces, true) : bezier);
 }
 
-/// B-spline: checks it; one that has a single span becomes a Bézier curve over that span.
-inline void read_spline(const Control_data& data, const Knots& knots, Job_input& input)
+/// What only later versions take is checked all the same. `make` is called with the dimension.
+template <class Make>
+void read_into(Job_input& input, const std::string& place, Make make)
 {
-  const auto h = homogeneous(data.points, data.weights);
-  std::size_t first = 0; // with a weight
-  while (first < h.back().size() && h.back()[first] == 0) ++first;
-  if (first == h.back().size()) throw Invalid_input(".weights", "all weights are zero", "use positive weights");
-  bool one_point = true;
-  for (std::size_t i = first + 1; i < data.points.size() && one_point; ++i)
-    one_point = h.back()[i] == 0 || same_point(h, first, i);
-  if (one_point) throw Invalid_input(".control_points", "the curve is a single point", "use a point input instead");
-
-  const std::vector<std::size_t> spans = knots.spans();
-  const bool may_have_poles = std::any_of(data.weights.begin(), data.weights.end(), [&](const Rational& w) {
-    return sgn(w) != sgn(data.weights[0]) || sgn(w) == 0;
-  });
-  if (may_have_poles)
-    for (const std::size_t k : spans)
-      reject_poles(Bernstein<Rational, 1>(Degrees<1>{knots.degree}, bernstein_of_span(h.back(), knots, k)));
-  if (input.dimension != 2) {
-    input.missing = "curves in space";
-    return;
+  try {
+    if (input.dimension == 2) {
+      input.curve = make(std::integral_constant<int, 2>());
+    } else {
+      make(std::integral_constant<int, 3>());
+      input.missing = "curves in space";
+    }
+  } catch (const Invalid_input& e) {
+    throw e.within(place);
+  } catch (const Unsupported_feature& e) {
+    input.missing = e.what();
   }
-  if (spans.size() != 1) {
-    input.missing = "B-splines of more than one span";
-    return;
-  }
-  Control_data bezier;
-  bezier.points.resize(knots.order());
-  std::vector<Rational> weights = bernstein_of_span(h.back(), knots, spans[0]);
-  if (std::any_of(weights.begin(), weights.end(), [](const Rational& w) { return w == 0; })) {
-    input.missing = "control points at infinity in a B-spline's span";
-    return;
-  }
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const std::vector<Rational> x = bernstein_of_span(h[axis], knots, spans[0]);
-    for (std::size_t i = 0; i < x.size(); ++i) bezier.points[i].push_back(Rational(x[i] / weights[i]));
-  }
-  bezier.weights = std::move(weights);
-  const Curve_2 on_unit = bezier_of<2>(bezier.points, bezier.weights);
-  Chain chain;
-  chain.pieces[0].lo = knots.start();
-  chain.pieces[0].hi = knots.finish();
-  input.curve = Curve_2(on_unit.pieces(), chain);
-}
-
-/// Ends of a curve that is said to be closed.
-inline void require_closed(const Control_data& data, const std::optional<Knots>& knots)
-{
-  auto h = homogeneous(data.points, data.weights);
-  if (knots) {
-    const auto spans = knots->spans();
-    for (auto& x : h)
-      x = {bernstein_of_span(x, *knots, spans.front()).front(), bernstein_of_span(x, *knots, spans.back()).back()};
-  }
-  if (!same_point(h, 0, h.back().size() - 1))
-    throw Invalid_input(".closed", "the ends of the curve do not coincide",
-                        "let it end where it starts, or leave out \"closed\"");
 }
 
 inline void require_affordable(int degree, Job_input& input)
@@ -419,6 +289,7 @@ inline void read_control_curve(const Json_value& v, const std::string& place, Di
     require_list(require_key(v, place, "control_points", "list the control points, like [[0,0],[1,2]]"), points_place,
                  "list the control points, like [[0,0],[1,2]]");
   Control_data data;
+  data.degree = degree;
   for (const Json_value& p : list)
     data.points.push_back(read_point(p, element(points_place, data.points.size()), dimension));
   const Json_value* knot_list = v.find("knots");
@@ -434,28 +305,35 @@ inline void read_control_curve(const Json_value& v, const std::string& place, Di
                           std::to_string(data.weights.size()) + " weights for " + std::to_string(n) + " control points",
                           "give one weight for each control point, or none");
   }
-  std::optional<Knots> knots;
-  if (knot_list) knots = read_knots(*knot_list, member(place, "knots"), degree, n);
+  if (knot_list) data.knots = read_knots(*knot_list, member(place, "knots"), degree, n, degree + 1);
   const Json_value* closed = v.find("closed");
-  const bool is_closed = closed && read_bool(*closed, member(place, "closed"));
+  data.closed = closed && read_bool(*closed, member(place, "closed"));
 
   input.dimension = dimension.value;
   require_affordable(degree, input);
   if (!input.missing.empty()) return;
-  try {
-    if (knots) read_spline(data, *knots, input);
-    else read_bezier(data, input);
-    if (is_closed) require_closed(data, knots);
-  } catch (const Invalid_input& e) {
-    throw e.within(place);
-  }
-  if (is_closed) {
-    input.missing = "closed curves";
-    input.curve.reset();
-  }
+  read_into(input, place, [&](auto dim) { return curve_of<decltype(dim)::value>(data); });
 }
 
-/// Curve in monomial form on an interval of the line; checked, and left to a later version.
+inline Parameter_domain read_domain(const Json_value& v, const std::string& place)
+{
+  const std::string domain_place = member(place, "domain");
+  const std::string domain_remedy = "write \"domain\": [lo, hi], where \"-inf\" and \"inf\" are allowed";
+  const auto& ends = require_list(require_key(v, place, "domain", domain_remedy), domain_place, domain_remedy);
+  if (ends.size() != 2)
+    throw Invalid_input(domain_place, std::to_string(ends.size()) + " numbers for an interval", domain_remedy);
+  const auto is = [](const Json_value& x, const char* word) {
+    return x.kind == Json_value::Kind::string && x.text == word;
+  };
+  Parameter_domain domain;
+  if (!is(ends[0], "-inf")) domain.lo = read_number(ends[0], element(domain_place, 0));
+  if (!is(ends[1], "inf")) domain.hi = read_number(ends[1], element(domain_place, 1));
+  if (domain.lo && domain.hi && *domain.lo >= *domain.hi)
+    throw Invalid_input(domain_place, "the interval is empty", "let the first number be less than the second");
+  return domain;
+}
+
+/// Curve in monomial form on an interval of the line.
 inline void read_monomial_curve(const Json_value& v, const std::string& place, Dimension& dimension, Job_input& input)
 {
   for (const char* other : {"degree", "control_points", "weights", "knots"})
@@ -481,12 +359,13 @@ inline void read_monomial_curve(const Json_value& v, const std::string& place, D
   h.push_back(w ? read_numbers(*w, member(form_place, "w")) : std::vector<Rational>{1});
   constexpr const char* planar[] = {"x", "y", "w"};
   constexpr const char* spatial[] = {"x", "y", "z", "w"};
-  std::size_t size = 0;
+  std::size_t size = 1;
   for (std::size_t k = 0; k < h.size(); ++k) {
     if (h[k].empty())
       throw Invalid_input(member(form_place, n == 2 ? planar[k] : spatial[k]), "no coefficients",
                           "give the coefficients of 1, u, u²… ([0] for zero)");
-    size = std::max(size, h[k].size());
+    for (std::size_t i = size; i < h[k].size(); ++i)
+      if (h[k][i] != 0) size = i + 1;
   }
   for (auto& x : h) x.resize(size);
   if (std::all_of(h.back().begin(), h.back().end(), [](const Rational& c) { return c == 0; }))
@@ -500,22 +379,18 @@ inline void read_monomial_curve(const Json_value& v, const std::string& place, D
       one_point = one_point && h[k][i] * h.back()[first] == h.back()[i] * h[k][first];
   if (one_point) throw Invalid_input(form_place, "the curve is a single point", "use a point input instead");
 
-  const std::string domain_place = member(place, "domain");
-  const std::string domain_remedy = "write \"domain\": [lo, hi], where \"-inf\" and \"inf\" are allowed";
-  const auto& domain = require_list(require_key(v, place, "domain", domain_remedy), domain_place, domain_remedy);
-  if (domain.size() != 2)
-    throw Invalid_input(domain_place, std::to_string(domain.size()) + " numbers for an interval", domain_remedy);
-  const auto is = [](const Json_value& x, const char* word) {
-    return x.kind == Json_value::Kind::string && x.text == word;
-  };
-  std::optional<Rational> lo, hi;
-  if (!is(domain[0], "-inf")) lo = read_number(domain[0], element(domain_place, 0));
-  if (!is(domain[1], "inf")) hi = read_number(domain[1], element(domain_place, 1));
-  if (lo && hi && *lo >= *hi)
-    throw Invalid_input(domain_place, "the interval is empty", "let the first number be less than the second");
-  if (const Json_value* closed = v.find("closed")) read_bool(*closed, member(place, "closed"));
+  const Parameter_domain domain = read_domain(v, place);
+  const Json_value* is_closed = v.find("closed");
+  const bool closed = is_closed && read_bool(*is_closed, member(place, "closed"));
   input.dimension = n;
-  input.missing = "curves in monomial form";
+  require_affordable(static_cast<int>(size) - 1, input);
+  if (!input.missing.empty()) return;
+  read_into(input, place, [&](auto dim) {
+    constexpr int D = decltype(dim)::value;
+    std::array<std::vector<Rational>, static_cast<std::size_t>(D)> coordinates;
+    std::copy_n(h.begin(), D, coordinates.begin());
+    return monomial_curve<D>(coordinates, h.back(), domain, closed);
+  });
 }
 
 inline void read_curve(const Json_value& v, const std::string& place, Dimension& dimension, Job_input& input)
@@ -607,7 +482,7 @@ inline void read_surface(const Json_value& v, const std::string& place, Dimensio
     if (lists.size() != 2)
       throw Invalid_input(knots_place, std::to_string(lists.size()) + " lists of knots for two parameters",
                           "give two lists of knots");
-    for (std::size_t k = 0; k < 2; ++k) read_knots(lists[k], element(knots_place, k), degrees[k], size[k]);
+    for (std::size_t k = 0; k < 2; ++k) read_knots(lists[k], element(knots_place, k), degrees[k], size[k], degrees[k]);
   }
   input.dimension = 3;
 }
@@ -724,6 +599,9 @@ inline Job read_job(std::string_view text)
   }
   require_inputs_for(job.compute, job.inputs);
   if (const Json_value* options = v.find("options")) job.options = read_options(*options);
+  if (job.options.join_tolerance > 0)
+    for (Job_input& input : job.inputs)
+      if (input.curve) input.curve = with_join_tolerance(*input.curve, job.options.join_tolerance);
   return job;
 }
 
@@ -738,10 +616,8 @@ inline void require_supported(const Job& job)
   if (job.compute != "bisector") refuse("compute", "\"" + job.compute + "\"");
   for (const Job_input& input : job.inputs)
     if (!input.missing.empty()) refuse(input.place, input.missing);
-  if (job.inputs.size() == 1) refuse("inputs", "self-bisectors");
   if (job.options.trimmed)
     refuse("options.trimmed", "trimmed bisectors (give \"trimmed\": false for all solutions of the equations)");
-  if (job.options.join_tolerance != 0) refuse("options.join_tolerance", "tolerant joints");
 }
 
 } // namespace locus
