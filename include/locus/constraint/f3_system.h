@@ -2,145 +2,10 @@
 #ifndef LOCUS_CONSTRAINT_F3_SYSTEM_H
 #define LOCUS_CONSTRAINT_F3_SYSTEM_H
 
-#include <locus/constraint/planar_equations.h>
-
-#include <optional>
-#include <vector>
+#include <locus/constraint/f3_factors.h>
 
 namespace locus {
-
-/// A component of F3 = 0 that is no arc of the bisector.
-struct Degenerate_component {
-  enum class Kind : unsigned char {
-    centre,     ///< maps to one point, the centre of the circle that carries an input
-    infinity,   ///< maps to infinity: the curve is tangent there to the line that carries the other input
-    overlap,    ///< the inputs coincide along it; every point of it is its own bisector point
-    everything  ///< F3 vanishes identically: both inputs lie on one line or one circle
-  };
-  Kind kind = Kind::everything;
-  int input = -1;              ///< whose parameter is constant along it (centre, infinity)
-  double lo = 0, hi = 1;       ///< enclosure of that parameter, on the unit interval
-  int multiplicity = 1;
-  bool reversed = false;       ///< overlap along t + r = 1 instead of t = r
-};
-
-/// The bisector of two planar curve pieces as a system in their parameters.
-struct F3_problem {
-  std::shared_ptr<const Planar_curve> first, second;
-  System<1, 2> system;
-  /// For mirror images with matching parameters: the axis t = r (or t + r = 1), a factor of F3 that `system` is then
-  /// without. Both have the cause number 0 in common, their crossings.
-  std::optional<System<1, 2>> axis;
-  bool axis_reversed = false;
-  Degrees<2> degrees{}; ///< of the equation as solved
-  std::vector<Degenerate_component> degenerate;
-};
-
 namespace detail {
-
-/// Polynomials whose greatest common divisor is the factor of f that depends on `variable` alone.
-inline std::vector<Bernstein<Scaled_integer, 1>> rows_along(const Bernstein<Scaled_integer, 2>& f, int variable)
-{
-  std::vector<Bernstein<Scaled_integer, 1>> rows;
-  const int other = 1 - variable;
-  for (int i = 0; i <= f.degree(other); ++i) {
-    Bernstein<Integer, 1> row(Degrees<1>{f.degree(variable)});
-    for (int j = 0; j <= f.degree(variable); ++j)
-      row[static_cast<std::size_t>(j)] = f.values().at(variable == 1 ? Degrees<2>{i, j} : Degrees<2>{j, i});
-    rows.emplace_back(std::move(row), Rational(1));
-  }
-  return rows;
-}
-
-inline Integer_polynomial univariate_factor(const Bernstein<Scaled_integer, 2>& f, int variable)
-{
-  Integer_polynomial common;
-  for (const auto& row : rows_along(f, variable)) {
-    if (row.is_zero()) continue;
-    common = gcd(common, monomial_form(row));
-    if (degree(common) == 0) break;
-  }
-  return common;
-}
-
-/// A factor in `variable` alone can have no zero on the unit interval if some coefficient row has none.
-inline bool has_row_without_zero(const Bernstein<Interval, 2>& f, int variable)
-{
-  const int other = 1 - variable;
-  for (int i = 0; i <= f.degree(other); ++i) {
-    Sign all = Sign::unknown;
-    for (int j = 0; j <= f.degree(variable); ++j) {
-      const Sign s = sign_of(f.at(variable == 1 ? Degrees<2>{i, j} : Degrees<2>{j, i}));
-      all = j == 0 || s == all ? s : Sign::unknown;
-      if (!is_strict(all)) break;
-    }
-    if (is_strict(all)) return true;
-  }
-  return false;
-}
-
-inline Bernstein<Rational, 2> as_bivariate(const Bernstein<Rational, 1>& f, int variable)
-{
-  return {variable == 0 ? Degrees<2>{f.degree(), 0} : Degrees<2>{0, f.degree()}, f.coefficients()};
-}
-
-/// t - r, or t + r - 1, in Bernstein form.
-inline Bernstein<Rational, 2> diagonal(bool reversed)
-{
-  if (reversed) return {Degrees<2>{1, 1}, {-1, 0, 0, 1}};
-  return {Degrees<2>{1, 1}, {0, -1, 1, 0}};
-}
-
-/// Coefficient k, in the scaled basis, of f(t, t) (or f(t, 1-t)): a sum over i + j = k.
-inline Integer diagonal_coefficient(const Bernstein<Scaled_integer, 2>& f, bool reversed, int k)
-{
-  const int n = f.degree(0), m = f.degree(1);
-  Integer sum = 0;
-  for (int i = std::max(0, k - m); i <= std::min(n, k); ++i) {
-    const int j = k - i;
-    sum += binomial<Integer>(n, i) * binomial<Integer>(m, j) * f.values().at({i, reversed ? m - j : j});
-  }
-  return sum;
-}
-
-inline bool vanishes_on_diagonal(const Bernstein<Scaled_integer, 2>& f, bool reversed)
-{
-  for (int k = 0; k <= f.degree(0) + f.degree(1); ++k)
-    if (diagonal_coefficient(f, reversed, k) != 0) return false;
-  return true;
-}
-
-/// f(t, t), or f(t, 1-t).
-inline Bernstein<Scaled_integer, 1> on_diagonal(const Bernstein<Scaled_integer, 2>& f, bool reversed)
-{
-  const int n = f.degree(0) + f.degree(1);
-  Bernstein<Rational, 1> g(Degrees<1>{n});
-  for (int k = 0; k <= n; ++k) g[static_cast<std::size_t>(k)] = Rational(diagonal_coefficient(f, reversed, k)) / binomial<Integer>(n, k);
-  return Bernstein<Scaled_integer, 1>(g);
-}
-
-struct Diagonal_quotient {
-  Bernstein<Rational, 2> rest;
-  int multiplicity = 0;
-};
-
-/// Divides t - r (or t + r - 1) out of a nonzero polynomial as often as it goes.
-inline Diagonal_quotient divided_by_diagonal(Bernstein<Scaled_integer, 2> f, bool reversed)
-{
-  Diagonal_quotient q{f.rational(), 0};
-  while (f.degree(0) > 0 && f.degree(1) > 0 && vanishes_on_diagonal(f, reversed)) {
-    q.rest = divide_exactly(q.rest, diagonal(reversed));
-    f = Bernstein<Scaled_integer, 2>(q.rest);
-    ++q.multiplicity;
-  }
-  return q;
-}
-
-template <class Form>
-std::shared_ptr<const Equation<2>> pair_equation(const F3_problem& p)
-{
-  return std::make_shared<Curve_pair_equation<Form>>(p.first, p.second);
-}
 
 /// What makes F3 singular or the bisector infinite without any coincidence: the curves meet, or share a tangent line.
 inline void add_geometric_causes(F3_problem& p)
@@ -149,128 +14,114 @@ inline void add_geometric_causes(F3_problem& p)
   meeting.name = "C1 = C2";
   meeting.equations = {pair_equation<Difference_form<false>>(p), pair_equation<Difference_form<true>>(p)};
   meeting.proves = Claim_kind::crossing;
+  meeting.tag = tag_of(F3_cause::meeting);
   p.system.causes.push_back(std::move(meeting));
   Cause<2> bitangent;
   bitangent.name = "common tangent line";
   bitangent.equations = {pair_equation<First_tangent_form>(p), pair_equation<Second_tangent_form>(p)};
   bitangent.proves = Claim_kind::isolated_box;
+  bitangent.tag = tag_of(F3_cause::pole);
   bitangent.includes = {0};
   p.system.causes.push_back(std::move(bitangent));
 }
 
-inline void replace_equation(F3_problem& p, Bernstein<Rational, 2> f)
+inline F3_problem undivided_f3_problem(std::shared_ptr<const Planar_curve> first, std::shared_ptr<const Planar_curve> second)
 {
-  p.system.equations[0] = std::make_shared<Polynomial_equation<2>>(std::move(f));
+  F3_problem p;
+  p.first = std::move(first);
+  p.second = std::move(second);
+  p.system.name = F3_form::name;
+  p.system.equations[0] = pair_equation<F3_form>(p);
+  add_geometric_causes(p);
+  for (int variable : {0, 1}) divide_out_tangencies(p, variable);
+  return p;
 }
 
-inline void note_known_factor(F3_problem& p, Bernstein<Rational, 2> factor)
+/// The diagonal t = r as a place where arcs of a self-bisector end: at zeros of the equation there.
+inline Cause<2> diagonal_cause(const std::shared_ptr<const Equation<2>>& equation)
 {
-  p.system.known_factors.push_back(std::make_shared<Polynomial_equation<2>>(std::move(factor)));
+  Cause<2> cause;
+  cause.name = "the diagonal t = r";
+  cause.equations = {equation, std::make_shared<Polynomial_equation<2>>(diagonal(false))};
+  cause.proves = Claim_kind::isolated_box;
+  cause.tag = tag_of(F3_cause::diagonal);
+  return cause;
 }
 
-/// Where curve `variable` is tangent at r0 to the line or circle that carries the other one, r = r0 is a component of
-/// F3 = 0 whose points all map to infinity or to the circle's centre. Divides such factors out and lists them.
-inline void divide_out_tangencies(F3_problem& p, int variable)
+/// Of a self-bisector's causes only what lies in t > r counts, and on the diagonal only its ends.
+inline void leave_out_mirror_half(Cause<2>& cause)
 {
-  const Carrier::Kind other = (variable == 0 ? p.second : p.first)->carrier().kind;
-  if (other == Carrier::Kind::general) return;
-  if (has_row_without_zero(p.system.equations[0]->enclosure(Box<2>::unit()), variable)) return;
-  const Bernstein<Scaled_integer, 2> f = p.system.equations[0]->exact();
-  const Integer_polynomial factor = univariate_factor(f, variable);
-  if (degree(factor) < 1) return;
-  const Bernstein<Scaled_integer, 1> factor_form = bernstein_form(factor);
-  auto roots = exact_roots(factor_form, 0.0, 1.0).roots;
-  if (roots.empty()) return;
-  for (auto& root : roots) {
-    while (!root.is_exact() && root.hi - root.lo > 0x1p-40)
-      if (!bisect_exactly(*root.factor, 0.0, 1.0, root)) break;
-    Degenerate_component d;
-    d.kind = other == Carrier::Kind::line ? Degenerate_component::Kind::infinity : Degenerate_component::Kind::centre;
-    d.input = variable;
-    d.lo = root.lo;
-    d.hi = root.hi;
-    d.multiplicity = root.multiplicity;
-    p.degenerate.push_back(d);
-  }
-  const Bernstein<Rational, 2> divisor = as_bivariate(factor_form.rational(), variable);
-  replace_equation(p, divide_exactly(f.rational(), divisor));
-  note_known_factor(p, divisor);
-  if (other == Carrier::Kind::line) {
-    // Im(e ā) is h(r)·w1(t) with a double zero of h at the tangency: its square-free part gives regular poles.
-    const auto tangent = variable == 1 ? pair_equation<First_tangent_form>(p) : pair_equation<Second_tangent_form>(p);
-    const Integer_polynomial h = univariate_factor(tangent->exact(), variable);
-    const Integer_polynomial simple = exact_quotient(h, gcd(h, derivative(h)));
-    p.system.causes[1].equations = {p.system.equations[0], std::make_shared<Polynomial_equation<2>>(
-                                                             as_bivariate(bernstein_form(simple).rational(), variable))};
-  }
-}
-
-/// Whether a solution of two equations lies on t = r (or t + r = 1), exactly: on that line both have a common root.
-inline bool lies_on_diagonal(const Isolated_solution<2>& p, const std::array<std::shared_ptr<const Equation<2>>, 2>& equations,
-                             bool reversed)
-{
-  if (!overlap(p.box[0], reversed ? Interval(1) - p.box[1] : p.box[1])) return false;
-  Integer_polynomial common;
-  for (const auto& equation : equations) common = gcd(common, monomial_form(on_diagonal(equation->exact(), reversed)));
-  if (degree(common) < 1) return common.empty();
-  return has_root_within(common, Rational(p.box[0].inf()), Rational(p.box[0].sup()));
-}
-
-/// F3 = (t - r)·G: the axis and G = 0 are solved apart and joined where they cross. The curves' common points on the
-/// axis are such crossings; common tangent lines belong to the factor on which they lie.
-inline void split_off_axis(F3_problem& p, const Bernstein<Rational, 2>& rest, bool reversed)
-{
-  const auto line = std::make_shared<Polynomial_equation<2>>(diagonal(reversed));
-  Cause<2> meeting = p.system.causes[0], bitangent = p.system.causes[1], crossing;
-  const auto on_axis = [reversed](const Cause<2>& cause) {
-    return [equations = cause.equations, reversed](const Isolated_solution<2>& s) { return lies_on_diagonal(s, equations, reversed); };
+  const bool off_diagonal = cause.tag != tag_of(F3_cause::diagonal);
+  cause.leave_out = [off_diagonal, before = cause.leave_out, equations = cause.equations](const Isolated_solution<2>& s) {
+    if (s.box[0].sup() < s.box[1].inf() || (before && before(s))) return true;
+    return off_diagonal && lies_on_diagonal(s, equations, false);
   };
-  replace_equation(p, rest);
-  crossing.name = reversed ? "the axis t + r = 1 meets the other factor" : "the axis t = r meets the other factor";
-  crossing.equations = {line, p.system.equations[0]};
-  crossing.proves = Claim_kind::isolated_box;
-  p.axis.emplace();
-  p.axis->name = "axis";
-  p.axis->equations[0] = line;
-  p.axis_reversed = reversed;
-
-  Cause<2> axis_bitangent = bitangent;
-  axis_bitangent.includes.clear();
-  axis_bitangent.leave_out = [test = on_axis(bitangent), meet = on_axis(meeting)](const Isolated_solution<2>& s) { return !test(s) || meet(s); };
-  p.axis->causes = {crossing, axis_bitangent};
-  meeting.leave_out = on_axis(meeting);
-  bitangent.leave_out = on_axis(bitangent);
-  bitangent.includes = {1};
-  p.system.causes = {crossing, meeting, bitangent};
 }
 
-/// Mirror images with matching parameters have the axis t = r (or t + r = 1) as a factor of F3, and the other factor
-/// crosses it in nodes; equal curves have its fourth power, which is the curves' overlap.
-/// `overlaps` says which of the two is looked for: overlaps come first, for an axis may remain beside one.
-inline void divide_out_diagonal(F3_problem& p, bool reversed, bool overlaps)
+/// An equation on a chart, divided by the distance from the corner as often as that goes.
+inline std::shared_ptr<const Equation<2>> blown_up(const Equation<2>& f, const Corner_chart& chart)
 {
-  if (p.axis) return; // a second axis stays in the other factor, which it crosses in a declared node
-  const auto enclosure = p.system.equations[0]->enclosure(Box<2>::unit());
-  const int n = enclosure.degree(0);
-  if (enclosure.degree(1) != n) return;
-  if (!contains_zero(enclosure.at({0, reversed ? n : 0})) || !contains_zero(enclosure.at({n, reversed ? 0 : n}))) return;
-  const Bernstein<Scaled_integer, 2>& f = p.system.equations[0]->exact();
-  if (f.is_zero()) return;
-  const auto [rest, multiplicity] = divided_by_diagonal(f, reversed);
-  if (multiplicity == 0 || overlaps != (multiplicity > 1)) return;
-  if (multiplicity == 1) return split_off_axis(p, rest, reversed);
-  Degenerate_component d;
-  d.kind = Degenerate_component::Kind::overlap;
-  d.multiplicity = multiplicity;
-  d.reversed = reversed;
-  p.degenerate.push_back(d);
-  for (int k = 0; k < multiplicity; ++k) note_known_factor(p, diagonal(reversed));
-  replace_equation(p, rest);
-  // The curves meet all along the overlap; only what is left of the causes can explain other points.
-  for (Cause<2>& cause : p.system.causes)
-    for (auto& equation : cause.equations)
-      if (!equation->exact().is_zero())
-        equation = std::make_shared<Polynomial_equation<2>>(divided_by_diagonal(equation->exact(), reversed).rest);
+  return std::make_shared<Polynomial_equation<2>>(Corner_expansion(f.exact(), chart.corner).on(chart.kind));
+}
+
+/// A solution on the edge that stands for the corner, or on an axis between the charts, belongs to neither chart.
+inline std::function<bool(const Isolated_solution<2>&)> on_chart_edges(bool axis_too)
+{
+  return [axis_too](const Isolated_solution<2>& s) { return s.face[1] == 0 || (axis_too && s.face[0] == 1); };
+}
+
+/// One chart of a problem whose corner is blown up.
+inline F3_problem on_chart(const F3_problem& plain, const Corner_chart& chart, bool has_axis)
+{
+  F3_problem p = plain;
+  p.chart = chart;
+  p.system.equations[0] = blown_up(*plain.system.equations[0], chart);
+  for (Cause<2>& cause : p.system.causes) {
+    for (auto& equation : cause.equations) equation = blown_up(*equation, chart);
+    cause.leave_out = on_chart_edges(has_axis);
+  }
+  return p;
+}
+
+/// The values of an equation of a chart along the line between the charts, as an equation for the plain parameter r.
+inline std::shared_ptr<const Equation<2>> along_axis(const Equation<2>& f, const Corner_chart& chart)
+{
+  const Bernstein<Scaled_integer, 1> on_edge = face(f.exact(), 0, true);
+  Integer_polynomial g = monomial_form(on_edge);
+  g = exact_quotient(g, gcd(g, derivative(g)));
+  Bernstein<Rational, 1> simple = bernstein_form(g).rational();
+  if (chart.corner[1] == 1) {
+    std::vector<Rational> c(simple.coefficients().rbegin(), simple.coefficients().rend());
+    simple = Bernstein<Rational, 1>(Degrees<1>{simple.degree()}, std::move(c));
+  }
+  return std::make_shared<Polynomial_equation<2>>(as_bivariate(simple, 1));
+}
+
+/// The axis through a blown-up corner, with its crossings of the other factor and its poles.
+inline F3_problem axis_through_corner(const F3_problem& on_first_chart, bool reversed)
+{
+  F3_problem p;
+  p.first = on_first_chart.first;
+  p.second = on_first_chart.second;
+  p.chart.corner = on_first_chart.chart.corner;
+  p.along_blow_up = true;
+  p.system.name = reversed ? "t + r = 1" : "t = r";
+  const auto line = std::make_shared<Polynomial_equation<2>>(diagonal(reversed));
+  p.system.equations[0] = line;
+  const auto mark = [&](const char* name, F3_cause tag, const Equation<2>& f) {
+    Cause<2> cause;
+    cause.name = name;
+    cause.equations = {line, along_axis(f, on_first_chart.chart)};
+    cause.proves = Claim_kind::isolated_box;
+    cause.tag = tag_of(tag);
+    const int end = p.chart.corner[1];
+    cause.leave_out = [end](const Isolated_solution<2>& s) { return s.face[1] == end; };
+    return cause;
+  };
+  p.system.causes = {mark("the axis meets the other factor", F3_cause::axis, *on_first_chart.system.equations[0]),
+                     mark("common tangent line on the axis", F3_cause::pole, *on_first_chart.system.causes[1].equations[0])};
+  p.degrees = {1, 1};
+  return p;
 }
 
 } // namespace detail
@@ -279,17 +130,55 @@ inline void divide_out_diagonal(F3_problem& p, bool reversed, bool overlaps)
 /// degenerate components, which are listed, and the causes of its singular and infinite points.
 inline F3_problem f3_problem(std::shared_ptr<const Planar_curve> first, std::shared_ptr<const Planar_curve> second)
 {
-  F3_problem p;
-  p.first = std::move(first);
-  p.second = std::move(second);
-  p.system.name = F3_form::name;
-  p.system.equations[0] = detail::pair_equation<F3_form>(p);
-  detail::add_geometric_causes(p);
-  for (int variable : {0, 1}) detail::divide_out_tangencies(p, variable);
+  F3_problem p = detail::undivided_f3_problem(std::move(first), std::move(second));
   for (bool overlaps : {true, false})
     for (bool reversed : {false, true}) detail::divide_out_diagonal(p, reversed, overlaps);
   p.degrees = p.system.equations[0]->degrees();
   return p;
+}
+
+/// The system of a curve piece with itself: F3 without (t - r)^4, each unordered pair once (t > r), ending on the diagonal
+/// where the curvature is extremal. Pieces on a line or a circle leave no equation: the result's is zero.
+inline F3_problem f3_self_problem(const std::shared_ptr<const Planar_curve>& piece)
+{
+  F3_problem p = detail::undivided_f3_problem(piece, piece);
+  p.is_self = true;
+  if (p.system.equations[0]->exact().is_zero()) return p;
+  detail::divide_out_diagonal(p, false, true);
+  p.degenerate.clear(); // the diagonal itself
+  detail::divide_out_diagonal(p, true, false);
+  p.degrees = p.system.equations[0]->degrees();
+  p.system.causes.push_back(detail::diagonal_cause(p.system.equations[0]));
+  if (p.axis) p.axis->causes.push_back(detail::diagonal_cause(p.axis->equations[0]));
+  for (System<1, 2>* system : {&p.system, p.axis ? &*p.axis : nullptr}) {
+    if (!system) continue;
+    for (Cause<2>& cause : system->causes) detail::leave_out_mirror_half(cause);
+    system->outside = [](const Box<2>& box) { return box.hi[0] <= box.lo[1]; };
+  }
+  return p;
+}
+
+/// The problems that together cover two pieces which share an end with one tangent there: two charts of the blown-up
+/// corner, and the axis of symmetry through it, if there is one.
+inline std::vector<F3_problem> f3_corner_problems(std::shared_ptr<const Planar_curve> first, std::shared_ptr<const Planar_curve> second,
+                                                  const std::array<int, 2>& corner)
+{
+  F3_problem plain = detail::undivided_f3_problem(std::move(first), std::move(second));
+  if (plain.system.equations[0]->exact().is_zero()) return {plain};
+  const bool reversed = corner[0] != corner[1];
+  detail::divide_out_diagonal(plain, reversed, true);
+  bool has_axis = false;
+  if (auto [rest, multiplicity] = detail::divided_by_diagonal(plain.system.equations[0]->exact(), reversed); multiplicity == 1) {
+    has_axis = true;
+    detail::replace_equation(plain, std::move(rest));
+  }
+  plain.degrees = plain.system.equations[0]->degrees();
+  std::vector<F3_problem> problems;
+  for (const auto kind : {Corner_chart::Kind::first, Corner_chart::Kind::second})
+    problems.push_back(detail::on_chart(plain, Corner_chart{kind, corner}, has_axis));
+  if (has_axis) problems.push_back(detail::axis_through_corner(problems[0], reversed));
+  problems[1].degenerate.clear(); // listed once
+  return problems;
 }
 
 } // namespace locus

@@ -67,6 +67,9 @@ public:
   const Bernstein<Rational, 1>& tangent(std::size_t axis) const { return tangent_[axis]; }
   const Bernstein<Interval, 1>& numerator_enclosure(std::size_t axis) const { return numerator_enclosure_[axis]; }
   const Bernstein<Interval, 1>& weight_enclosure() const { return weight_enclosure_; }
+  const Bernstein<Interval, 1>& tangent_enclosure(std::size_t axis) const { return tangent_enclosure_[axis]; }
+  /// The end at 0 or 1 is a point at infinity.
+  bool is_infinite_at(int end) const { return weight_[end == 0 ? 0 : weight_.size() - 1] == 0; }
 
   /// On [lo, hi] of the unit interval, seen from `origin` (upward rounding needed).
   Complex_curve<Interval> local(double lo, double hi, const std::array<double, 2>& origin) const

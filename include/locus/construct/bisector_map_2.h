@@ -2,27 +2,94 @@
 #ifndef LOCUS_CONSTRUCT_BISECTOR_MAP_2_H
 #define LOCUS_CONSTRUCT_BISECTOR_MAP_2_H
 
+#include <locus/constraint/contact_form.h>
 #include <locus/construct/curve_evaluator.h>
+#include <locus/function/enclosed_surface.h>
 
 #include <cmath>
 
 namespace locus {
 
-/// Which of the two formulas gives the bisector point of two feet: both hold where F3 = 0, and each is ill-conditioned
-/// where the other is good.
+/// Which formula gives the bisector point of two feet: all hold where F3 = 0, and each is ill-conditioned where another is
+/// good.
 enum class Map_formula : unsigned char {
   normals, ///< intersection of the two normals (Cramer; fails where the tangents are parallel)
-  chord    ///< first normal and the chord's perpendicular bisector (Farouki & Johnstone 1994; fails where the feet meet)
+  chord,   ///< first normal and the chord's perpendicular bisector (Farouki & Johnstone 1994; fails where the feet meet)
+  contact  ///< the same with the distance of the feet divided out
 };
 
-/// The map from a solution (t, r) of F3 = 0 to the plane.
+/// A bivariate polynomial with its partial derivatives, to be enclosed over boxes and along jets.
+class Enclosed_function_2 {
+public:
+  Enclosed_function_2() = default;
+  explicit Enclosed_function_2(const Bernstein<Rational, 2>& g)
+  {
+    const Bernstein<Bounded, 2> f = bounded(converted<Interval>(g, [](const Rational& c) { return enclosing(c); }));
+    const Bernstein<Bounded, 2> f0 = derivative(f, 0), f1 = derivative(f, 1);
+    norm_ = f.norm();
+    f_ = Enclosed_surface(f);
+    first_ = {Enclosed_surface(f0), Enclosed_surface(f1)};
+    second_ = {Enclosed_surface(derivative(f0, 0)), Enclosed_surface(derivative(f0, 1)), Enclosed_surface(derivative(f1, 1))};
+  }
+
+  double norm() const { return norm_; }
+
+  Interval along(const std::array<Interval, 2>& x) const
+  {
+    const Centred c(x);
+    return f_.over(c.centre, c.radius, first_[0].over(c.centre, c.radius), first_[1].over(c.centre, c.radius));
+  }
+
+  Jet<Interval> along(const std::array<Jet<Interval>, 2>& x) const
+  {
+    const std::array<Interval, 2> value{x[0].value, x[1].value};
+    const Centred c(value);
+    const auto over = [&](const Enclosed_surface& f) { return f.over(c.centre, c.radius); };
+    const Interval f00 = over(second_[0]), f01 = over(second_[1]), f11 = over(second_[2]);
+    const Interval f0 = first_[0].over(c.centre, c.radius, f00, f01), f1 = first_[1].over(c.centre, c.radius, f01, f11);
+    const Interval u = x[0].first, v = x[1].first;
+    return {f_.over(c.centre, c.radius, f0, f1), f0 * u + f1 * v,
+            f00 * u * u + Interval(2) * f01 * u * v + f11 * v * v + f0 * x[0].second + f1 * x[1].second};
+  }
+
+private:
+  struct Centred {
+    explicit Centred(const std::array<Interval, 2>& x)
+    {
+      for (std::size_t v = 0; v < 2; ++v) {
+        const double lo = std::min(1.0, std::max(0.0, x[v].inf())), hi = std::min(1.0, std::max(0.0, x[v].sup()));
+        centre[v] = std::min(hi, lo + 0.5 * (hi - lo));
+        radius[v] = std::max(hi - centre[v], centre[v] - lo);
+      }
+    }
+    std::array<double, 2> centre{}, radius{};
+  };
+
+  double norm_ = 0;
+  Enclosed_surface f_;
+  std::array<Enclosed_surface, 2> first_;
+  std::array<Enclosed_surface, 3> second_;
+};
+
+/// The map from a solution of F3 = 0, in the coordinates of its chart, to the plane.
 class Bisector_map_2 {
 public:
-  Bisector_map_2() = default;
-  Bisector_map_2(const Planar_curve& first, const Planar_curve& second) : first_(first), second_(second) {}
+  using Evaluator = std::shared_ptr<const Curve_evaluator>;
 
-  const Curve_evaluator& first() const { return first_; }
-  const Curve_evaluator& second() const { return second_; }
+  Bisector_map_2() = default;
+  Bisector_map_2(Evaluator first, Evaluator second, const Corner_chart& chart, const std::optional<Contact_form>& contact)
+    : first_(std::move(first)), second_(std::move(second)), chart_(chart)
+  {
+    if (!contact) return;
+    contact_.emplace();
+    contact_->chord = {Enclosed_function_2(contact->chord[0]), Enclosed_function_2(contact->chord[1])};
+    contact_->turn = Enclosed_function_2(contact->turn);
+    contact_->power = contact->power;
+  }
+
+  const Curve_evaluator& first() const { return *first_; }
+  const Curve_evaluator& second() const { return *second_; }
+  const Corner_chart& chart() const { return chart_; }
 
   template <class T>
   struct Image {
@@ -30,52 +97,100 @@ public:
     Vector_2<T> first_foot;
   };
 
+  /// T is Interval or Jet<Interval>.
   template <class T>
-  Image<T> at(const T& t, const T& r, Map_formula formula) const
+  Image<T> at(const std::array<T, 2>& x, Map_formula formula) const
   {
-    const Vector_2<T> x1 = first_.point(t), x2 = second_.point(r), a = first_.tangent(t);
-    const Vector_2<T> d = x2 - x1;
-    T lambda;
-    if (formula == Map_formula::normals) {
-      const Vector_2<T> b = second_.tangent(r);
-      lambda = dot(b, d) / cross(a, b);
-    } else {
-      lambda = dot(d, d) / (T(Interval(2)) * cross(a, d));
-    }
+    const std::array<T, 2> p = chart_(x);
+    const Vector_2<T> x1 = first_->point(p[0]), a = first_->tangent(p[0]);
+    const T lambda = formula == Map_formula::contact ? by_contact(x, p) : by_feet(p, x1, a, formula);
     return {{x1.x - a.y * lambda, x1.y + a.x * lambda}, x1};
   }
 
-  /// The better conditioned formula near (t, r).
-  Map_formula choose(double t, double r) const
+  /// The best conditioned formula near x.
+  Map_formula choose(const std::array<double, 2>& at) const
   {
+    const std::array<Interval, 2> x{Interval(at[0]), Interval(at[1])}, p = chart_(x);
     const auto mid = [](const Vector_2<Interval>& v) { return Vector_2<double>{midpoint(v.x), midpoint(v.y)}; };
-    const Vector_2<double> x1 = mid(first_.point(Interval(t))), x2 = mid(second_.point(Interval(r)));
-    const Vector_2<double> a = mid(first_.tangent(Interval(t))), b = mid(second_.tangent(Interval(r)));
+    const Vector_2<double> x1 = mid(first_->point(p[0])), x2 = mid(second_->point(p[1]));
+    const Vector_2<double> a = mid(first_->tangent(p[0])), b = mid(second_->tangent(p[1]));
     const Vector_2<double> d = x2 - x1;
     const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), ld = std::sqrt(dot(d, d));
-    if (ld == 0) return Map_formula::normals;
-    const double by_normals = std::abs(cross(a, b)) / (la * lb);
     // Coordinates are of size one in the frame: the relative error of the chord grows as it gets short.
-    const double by_chord = std::abs(cross(a, d)) / (la * ld) * std::min(1.0, ld);
+    const double by_normals = std::abs(cross(a, b)) / (la * lb);
+    const double by_chord = ld > 0 ? std::abs(cross(a, d)) / (la * ld) * std::min(1.0, ld) : 0.0;
+    const double by_contact = contact_ ? std::abs(midpoint(contact_->turn.along(x))) / contact_->turn.norm() : -1.0;
+    if (by_contact > by_normals && by_contact > by_chord) return Map_formula::contact;
     return by_normals > by_chord ? Map_formula::normals : Map_formula::chord;
   }
 
-  /// Lower bound of the distance from the first foot to the bisector point along an arc that ends in a pole at most
-  /// `length` away in the jets' variable. The point itself has no enclosure there; but a×d vanishes at the pole, so it is
-  /// bounded by its derivative.
-  double least_radius(const Jet<Interval>& t, const Jet<Interval>& r, double length) const
+  /// Lower bound of the distance from `centre` to the bisector points along an arc that ends in a pole of the map or at an
+  /// infinite foot, at most `length` away in the jets' variable. The points themselves have no enclosure there.
+  double least_distance(const std::array<Jet<Interval>, 2>& x, double length, const Vector_2<double>& centre) const
   {
-    const Vector_2<Jet<Interval>> a = first_.tangent(t), d = second_.point(r) - first_.point(t);
+    const std::array<Jet<Interval>, 2> p = chart_(x);
+    const Vector_2<Interval> foot = first_->point(p[0].value);
+    const double off = std::hypot(magnitude(foot.x - Interval(centre.x)), magnitude(foot.y - Interval(centre.y))) * (1 + 8 * operation_error);
+    double bound = std::isfinite(off) ? (Interval(least_radius(p, length)) - Interval(off)).inf() : 0.0;
+    bound = std::max(bound, normal_line_distance(*first_, p[0].value, centre));
+    return std::max(bound, normal_line_distance(*second_, p[1].value, centre));
+  }
+
+private:
+  struct Contact {
+    std::array<Enclosed_function_2, 2> chord;
+    Enclosed_function_2 turn;
+    int power = 0;
+  };
+
+  template <class T>
+  T by_feet(const std::array<T, 2>& p, const Vector_2<T>& x1, const Vector_2<T>& a, Map_formula formula) const
+  {
+    const Vector_2<T> d = second_->point(p[1]) - x1;
+    if (formula == Map_formula::chord) return dot(d, d) / (T(Interval(2)) * cross(a, d));
+    const Vector_2<T> b = second_->tangent(p[1]);
+    return dot(b, d) / cross(a, b);
+  }
+
+  template <class T>
+  T by_contact(const std::array<T, 2>& x, const std::array<T, 2>& p) const
+  {
+    const T ex = contact_->chord[0].along(x), ey = contact_->chord[1].along(x), turn = contact_->turn.along(x);
+    T lambda = (ex * ex + ey * ey) / (T(Interval(-2)) * first_->weight(p[0]) * second_->weight(p[1]) * turn);
+    for (int k = 0; k < contact_->power; ++k) lambda = lambda * x[1];
+    return lambda;
+  }
+
+  /// Lower bound of the distance from the first foot to the bisector point near a common tangent line: a×d vanishes at
+  /// the pole, so it is bounded by its derivative.
+  double least_radius(const std::array<Jet<Interval>, 2>& p, double length) const
+  {
+    const Vector_2<Jet<Interval>> a = first_->tangent(p[0]), d = second_->point(p[1]) - first_->point(p[0]);
     const Interval speed = CGAL::sqrt(dot(a, a).value), chord2 = dot(d, d).value;
     if (!(speed.inf() > 0) || !(chord2.inf() > 0)) return 0;
     const Jet<Interval> product = cross(a, d);
     const Interval largest = Interval(2) * Interval(std::min(magnitude(product.value), magnitude(product.first) * length * (1 + 4 * operation_error)));
     if (largest.sup() == 0) return std::numeric_limits<double>::infinity();
-    return (Interval(chord2.inf()) * Interval(speed.inf()) / Interval(largest.sup())).inf();
+    const double radius = (Interval(chord2.inf()) * Interval(speed.inf()) / Interval(largest.sup())).inf();
+    return radius > 0 ? radius : 0; // also where something is infinite
   }
 
-private:
-  Curve_evaluator first_, second_;
+  /// Lower bound of the distance from `centre` to the normals of a curve over a range: the bisector lies on them, and they
+  /// go to infinity with the foot.
+  static double normal_line_distance(const Curve_evaluator& c, const Interval& t, const Vector_2<double>& centre)
+  {
+    const Vector_2<Interval> a = c.tangent(t), p = c.numerator(t);
+    const Interval w = c.weight(t);
+    const Vector_2<Interval> from{p.x - Interval(centre.x) * w, p.y - Interval(centre.y) * w};
+    const Interval speed = CGAL::sqrt(CGAL::square(a.x) + CGAL::square(a.y));
+    const double along = mignitude(dot(from, a));
+    if (!(along > 0)) return 0;
+    return (Interval(along) / (Interval(magnitude(w)) * Interval(magnitude(speed)))).inf();
+  }
+
+  Evaluator first_, second_;
+  Corner_chart chart_;
+  std::optional<Contact> contact_;
 };
 
 } // namespace locus

@@ -76,8 +76,8 @@ class Curve_evaluator {
 public:
   Curve_evaluator() = default;
   explicit Curve_evaluator(const Planar_curve& c)
-    : polynomial_(c.weight().degree() == 0), x_(c.numerator(0)), y_(c.numerator(1)), w_(c.weight()), ax_(c.tangent(0)),
-      ay_(c.tangent(1))
+    : polynomial_(c.weight().degree() == 0 && c.weight()[0] == 1), x_(c.numerator(0)), y_(c.numerator(1)), w_(c.weight()),
+      ax_(c.tangent(0)), ay_(c.tangent(1))
   {
   }
 
@@ -88,6 +88,18 @@ public:
     if (polynomial_) return {value(x_, t), value(y_, t)};
     const T w = value(w_, t);
     return {value(x_, t) / w, value(y_, t) / w};
+  }
+
+  /// Homogeneous coordinates of the point: `numerator` / `weight`.
+  template <class T>
+  Vector_2<T> numerator(const T& t) const
+  {
+    return {value(x_, t), value(y_, t)};
+  }
+  template <class T>
+  T weight(const T& t) const
+  {
+    return value(w_, t);
   }
 
   template <class T>

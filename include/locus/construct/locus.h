@@ -204,6 +204,7 @@ struct Degenerate_piece {
   std::string kind; ///< "centre", "infinity", "overlap", "everything"
   std::optional<std::size_t> input;
   std::optional<Range> parameter;
+  std::vector<Range> box; ///< the inputs' parameter ranges in which it lies
   int multiplicity = 1;
   std::string reason;
 };
@@ -232,9 +233,11 @@ struct Locus_statistics {
   double seconds = 0;
 };
 
-/// A cell of the subdivision, for pictures: its box in the inputs' parameters and what was claimed of it.
+/// A cell of the subdivision, for pictures: in the inputs' parameters its bounding box and its corners, counterclockwise (a
+/// cell of a blown-up corner is no box), and what was claimed of it.
 struct Cell_picture {
   std::vector<Range> box;
+  std::vector<std::array<double, 2>> corners;
   std::string claim; ///< "empty", "graph", "crossing", "undecided"
 };
 

@@ -2,78 +2,14 @@
 #ifndef LOCUS_CONSTRUCT_PLANAR_ARC_H
 #define LOCUS_CONSTRUCT_PLANAR_ARC_H
 
-#include <locus/construct/bisector_map_2.h>
-#include <locus/construct/locus.h>
-#include <locus/shape/frame.h>
+#include <locus/construct/planar_solution.h>
 #include <locus/zero_set/piece_evaluation.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace locus {
-
-/// The values of a parameter that the unit interval stands for, enclosed.
-struct Parameter_range {
-  Interval lo = Interval(0), hi = Interval(1);
-
-  Parameter_range() = default;
-  explicit Parameter_range(const Piece& piece) : lo(enclosing(piece.lo)), hi(enclosing(piece.hi)) {}
-
-  Range at(const Interval& u) const
-  {
-    if (u.sup() == 0) return {lo.inf(), lo.sup()};
-    if (u.inf() == 1) return {hi.inf(), hi.sup()};
-    const bool unit = lo.inf() == 0 && lo.sup() == 0 && hi.inf() == 1 && hi.sup() == 1;
-    const Interval p = unit ? u : lo + u * (hi - lo);
-    return {std::max(p.inf(), lo.inf()), std::min(p.sup(), hi.sup())};
-  }
-};
-
-/// Everything that the arcs of one planar bisector share: immutable once made.
-struct Planar_solution {
-  Frame<2> frame;
-  std::array<Interval, 2> origin; ///< of the frame
-  Bisector_map_2 map;
-  std::array<Parameter_range, 2> domain; ///< of both inputs' parameters
-  Curve_graph graph;
-  double scale = 1;            ///< diameter of the inputs, in the frame
-  double cut_radius = 10;      ///< in the frame, from `centre`
-  Vector_2<double> centre;     ///< of the inputs' bounding box, in the frame
-};
-
 namespace detail {
-
-/// A point of an arc during evaluation, in the frame and on the unit cell.
-struct Placed {
-  std::array<Interval, 2> at; ///< unit parameters
-  Vector_2<Interval> point;
-  Interval radius;
-};
-
-inline Placed place(const Planar_solution& s, const std::array<Interval, 2>& at)
-{
-  const Map_formula formula = s.map.choose(midpoint(at[0]), midpoint(at[1]));
-  const auto image = s.map.at(at[0], at[1], formula);
-  const Vector_2<Interval> arm = image.point - image.first_foot;
-  return {at, image.point, CGAL::sqrt(CGAL::square(arm.x) + CGAL::square(arm.y))};
-}
-
-inline double diameter(const Vector_2<Interval>& box) { return std::hypot(width(box.x), width(box.y)) * (1 + 8 * operation_error); }
-
-/// The point in the user's coordinates, with a proved bound of the printed doubles' distance from the exact one.
-inline Arc_point<2> finished(const Planar_solution& s, const Placed& p)
-{
-  Approximate_point<2> point;
-  double error = 0;
-  const std::array<Interval, 2> xy{s.frame.length(p.point.x) + s.origin[0], s.frame.length(p.point.y) + s.origin[1]};
-  for (std::size_t k = 0; k < 2; ++k) {
-    point[k] = representative(xy[k]);
-    error = std::hypot(error, std::max(xy[k].sup() - point[k], point[k] - xy[k].inf()));
-  }
-  const Interval radius = s.frame.length(p.radius);
-  return {{s.domain[0].at(p.at[0]), s.domain[1].at(p.at[1])}, point,
-          std::max(0.0, representative(radius)), error * (1 + 8 * operation_error)};
-}
 
 /// One arc of a planar bisector, evaluated on the cells of its zero set.
 class Planar_arc final : public Arc_geometry<2> {
@@ -111,6 +47,7 @@ public:
 private:
   /// A step of the arc with the part of its base range that lies within the cut radius.
   struct Stretch {
+    std::size_t patch = 0;
     const Graph_piece* piece = nullptr;
     const Curve_graph::Cell_form* form = nullptr;
     bool reversed = false;
@@ -118,10 +55,10 @@ private:
     bool lo_cut = false, hi_cut = false; ///< an end is a pole: `lo` or `hi` has been moved inward to a finite point
   };
 
-  const Graph_arc& graph_arc() const { return s_->graph.arcs[arc_]; }
-  const Graph_vertex& vertex(std::size_t v) const { return s_->graph.vertices[v]; }
-
-  static bool is_pole(const Graph_vertex& v) { return v.kind == Graph_vertex::Kind::mark || v.is_mark; }
+  const Patchwork_arc& graph_arc() const { return s_->work.arcs[arc_]; }
+  const Planar_patch& patch(const Stretch& s) const { return s_->patches[s.patch]; }
+  const Graph_vertex& vertex(const Stretch& s, std::size_t v) const { return s_->work.patches[s.patch].graph.vertices[v]; }
+  bool is_pole(const Stretch& s, std::size_t v) const { return s_->work.patches[s.patch].is_pole[v]; }
 
   std::array<Interval, 2> parameters(const Piece_evaluator& e, double base, double guess, double wanted_width = 5e-13) const
   {
@@ -133,32 +70,34 @@ private:
 
   Stretch stretch(std::size_t step) const
   {
-    const auto& [p, reversed] = graph_arc().steps[step];
+    const Patchwork_arc::Step& at = graph_arc().steps[step];
+    const Curve_graph& graph = s_->work.patches[at.patch].graph;
     Stretch s;
-    s.piece = &s_->graph.pieces[p];
-    s.form = &s_->graph.forms[p];
-    s.reversed = reversed;
+    s.patch = at.patch;
+    s.piece = &graph.pieces[at.piece];
+    s.form = &graph.forms[at.piece];
+    s.reversed = at.reversed;
     if (s.piece->is_half_branch) return s;
     const auto base = static_cast<std::size_t>(s.piece->base);
-    const Graph_vertex &from = vertex(s.piece->from), &to = vertex(s.piece->to);
+    const Graph_vertex &from = vertex(s, s.piece->from), &to = vertex(s, s.piece->to);
     s.lo = from.at[base];
     s.hi = to.at[base];
-    if (!is_pole(from) && !is_pole(to)) return s;
+    if (!is_pole(s, s.piece->from) && !is_pole(s, s.piece->to)) return s;
     const Piece_evaluator e(*s.form, s.piece->base);
     const double middle = 0.5 * (s.lo.sup() + s.hi.inf());
-    if (is_pole(from)) {
-      s.lo = Interval(cut_position(e, from, s.lo, middle));
+    if (is_pole(s, s.piece->from)) {
+      s.lo = Interval(cut_position(patch(s), e, from, s.lo, middle));
       s.lo_cut = true;
     }
-    if (is_pole(to)) {
-      s.hi = Interval(cut_position(e, to, s.hi, middle));
+    if (is_pole(s, s.piece->to)) {
+      s.hi = Interval(cut_position(patch(s), e, to, s.hi, middle));
       s.hi_cut = true;
     }
     return s;
   }
 
   /// A base value near a pole beyond which (towards the pole) the arc provably stays outside the cut radius.
-  double cut_position(const Piece_evaluator& e, const Graph_vertex& pole, const Interval& at, double middle) const
+  double cut_position(const Planar_patch& patch, const Piece_evaluator& e, const Graph_vertex& pole, const Interval& at, double middle) const
   {
     const auto pivot = static_cast<std::size_t>(e.pivot()), base = static_cast<std::size_t>(e.base());
     const bool above = middle > at.sup();
@@ -173,9 +112,7 @@ private:
       std::array<Jet<Interval>, 2> tail;
       tail[pivot] = {jet->value, jet->first, jet->second};
       tail[base] = {Interval(lo, hi), Interval(1), Interval(0)};
-      const Vector_2<Interval> foot = s_->map.first().point(tail[0].value);
-      const double off = std::hypot(magnitude(foot.x - Interval(s_->centre.x)), magnitude(foot.y - Interval(s_->centre.y)));
-      if (s_->map.least_radius(tail[0], tail[1], hi - lo) > (s_->cut_radius + off) * (1 + 8 * operation_error)) return position;
+      if (patch.map.least_distance(tail, hi - lo, s_->centre) > s_->cut_radius) return position;
     }
     return position;
   }
@@ -208,8 +145,8 @@ private:
   Placed placed_on(const Stretch& s, double f, Guess* guess, const Piece_evaluator* evaluator = nullptr) const
   {
     const double g = s.reversed ? 1 - f : f;
-    if (g <= 0 && !s.lo_cut) return place(*s_, vertex(s.piece->from).at);
-    if (g >= 1 && !s.hi_cut) return place(*s_, vertex(s.piece->to).at);
+    if (g <= 0 && !s.lo_cut) return place(patch(s), vertex(s, s.piece->from).at);
+    if (g >= 1 && !s.hi_cut) return place(patch(s), vertex(s, s.piece->to).at);
     if (s.piece->is_half_branch) return on_half_branch(s, g);
     if (evaluator) return placed_between(s, *evaluator, g, guess);
     return placed_between(s, Piece_evaluator(*s.form, s.piece->base), g, guess);
@@ -221,18 +158,18 @@ private:
     base = std::min(s.hi.inf(), std::max(s.lo.sup(), base));
     const auto pivot = static_cast<std::size_t>(e.pivot());
     const double start = guess && guess->last >= 0 ? guess->next()
-                         : midpoint(vertex(s.piece->from).at[pivot]) * (1 - g) + midpoint(vertex(s.piece->to).at[pivot]) * g;
+                         : midpoint(vertex(s, s.piece->from).at[pivot]) * (1 - g) + midpoint(vertex(s, s.piece->to).at[pivot]) * g;
     const auto at = parameters(e, base, start);
     if (guess) guess->add(midpoint(at[pivot]));
-    return place(*s_, at);
+    return place(patch(s), at);
   }
 
   /// Inside a node's cell, no wider than `Solve_control::node_width`, the branch is only enclosed: by the whole cell.
   Placed on_half_branch(const Stretch& s, double g) const
   {
-    Placed p = place(*s_, vertex(g < 0.5 ? s.piece->from : s.piece->to).at);
+    Placed p = place(patch(s), vertex(s, g < 0.5 ? s.piece->from : s.piece->to).at);
     for (std::size_t v = 0; v < 2; ++v) p.at[v] = hull(p.at[v], Interval(s.form->box.lo[v], s.form->box.hi[v]));
-    const Placed all = place(*s_, p.at);
+    const Placed all = place(patch(s), p.at);
     p.point = {hull(p.point.x, all.point.x), hull(p.point.y, all.point.y)};
     return p;
   }
@@ -304,8 +241,8 @@ private:
     const auto jets = parameter_jets(e, a, b);
     if (!jets) return infinite;
     if (width(jets->at(0).value) > 0.25 || width(jets->at(1).value) > 0.25) return infinite;
-    const Map_formula formula = s_->map.choose(midpoint((*jets)[0].value), midpoint((*jets)[1].value));
-    const auto image = s_->map.at((*jets)[0], (*jets)[1], formula);
+    const Bisector_map_2& map = a.placed.patch->map;
+    const auto image = map.at(*jets, map.choose({midpoint((*jets)[0].value), midpoint((*jets)[1].value)}));
     double bend = std::hypot(magnitude(image.point.x.second), magnitude(image.point.y.second));
     const Vector_2<Interval> first{image.point.x.first, image.point.y.first}, second{image.point.x.second, image.point.y.second};
     const Vector_2<double> step{midpoint(b.placed.point.x) - midpoint(a.placed.point.x), midpoint(b.placed.point.y) - midpoint(a.placed.point.y)};
@@ -326,7 +263,7 @@ private:
     std::array<Interval, 2> at;
     at[base] = hull(a.base, b.base);
     at[pivot] = e.range_over(a.base.inf(), b.base.sup(), a.placed.at[pivot], b.placed.at[pivot]);
-    const Vector_2<Interval> all = place(*s_, at).point;
+    const Vector_2<Interval> all = place(*a.placed.patch, at).point;
     const double d = diameter({hull(hull(all.x, a.placed.point.x), b.placed.point.x), hull(hull(all.y, a.placed.point.y), b.placed.point.y)});
     return std::isfinite(d) ? d : std::numeric_limits<double>::infinity();
   }
@@ -361,7 +298,7 @@ private:
     std::vector<Knot> knots{a};
     for (int k = 1; k < parts; ++k) {
       const double base = a.base.sup() + h * k / parts;
-      knots.push_back({Interval(base), place(*s_, parameters(e, base, midpoint(knots.back().placed.at[pivot]), draft.parameter_width))});
+      knots.push_back({Interval(base), place(*a.placed.patch, parameters(e, base, midpoint(knots.back().placed.at[pivot]), draft.parameter_width))});
     }
     knots.push_back(b);
     for (int k = 0; k < parts; ++k) {
@@ -374,10 +311,10 @@ private:
   {
     const bool cut = high ? s.hi_cut : s.lo_cut;
     const Interval& base = high ? s.hi : s.lo;
-    if (!cut) return {base, place(*s_, vertex(high ? s.piece->to : s.piece->from).at)};
+    if (!cut) return {base, place(patch(s), vertex(s, high ? s.piece->to : s.piece->from).at)};
     const auto pivot = static_cast<std::size_t>(e.pivot());
-    const double guess = midpoint(vertex(high ? s.piece->to : s.piece->from).at[pivot]);
-    return {base, place(*s_, parameters(e, base.inf(), guess))};
+    const double guess = midpoint(vertex(s, high ? s.piece->to : s.piece->from).at[pivot]);
+    return {base, place(patch(s), parameters(e, base.inf(), guess))};
   }
 
   Polyline<2> polyline_within(double relative_tolerance) const
@@ -390,7 +327,7 @@ private:
       if (s.piece->is_half_branch) {
         const Placed whole = on_half_branch(s, 0);
         draft.bend = std::max(draft.bend, diameter(whole.point));
-        const Placed ends[2] = {place(*s_, vertex(s.piece->from).at), place(*s_, vertex(s.piece->to).at)};
+        const Placed ends[2] = {place(patch(s), vertex(s, s.piece->from).at), place(patch(s), vertex(s, s.piece->to).at)};
         if (draft.points.empty()) draft.points.push_back(ends[s.reversed ? 1 : 0]);
         draft.points.push_back(ends[s.reversed ? 0 : 1]);
         continue;
@@ -424,10 +361,11 @@ private:
     const double g = std::min(1 - 1e-9, std::max(1e-9, s.reversed ? 1 - f : f));
     const double base = s.lo.sup() + g * (s.hi.inf() - s.lo.sup());
     const auto pivot = static_cast<std::size_t>(e.pivot());
-    const Knot k{Interval(base), place(*s_, parameters(e, base, midpoint(vertex(s.piece->from).at[pivot])))};
+    const Knot k{Interval(base), place(patch(s), parameters(e, base, midpoint(vertex(s, s.piece->from).at[pivot])))};
     const auto jets = parameter_jets(e, k, k);
     if (!jets) throw std::logic_error("locus: a graph cell without slope");
-    const auto image = s_->map.at((*jets)[0], (*jets)[1], s_->map.choose(midpoint(k.placed.at[0]), midpoint(k.placed.at[1])));
+    const Bisector_map_2& map = patch(s).map;
+    const auto image = map.at(*jets, map.choose({midpoint(k.placed.at[0]), midpoint(k.placed.at[1])}));
     const Vector_2<double> d{midpoint(image.point.x.first), midpoint(image.point.y.first)};
     const Vector_2<double> dd{midpoint(image.point.x.second), midpoint(image.point.y.second)};
     const double speed = std::sqrt(dot(d, d)), sign = s.reversed ? -1 : 1;
@@ -438,8 +376,8 @@ private:
     return result;
   }
 
-  /// Zeros of the derivative of the pivot along each piece: there one foot stands still. Pieces are halved until the
-  /// derivative has one sign, or changes it where its own derivative has one. What stays open after a fixed number of
+  /// Zeros of an input's parameter's derivative along each piece: there that foot stands still. Pieces are halved until
+  /// the derivative has one sign, or changes it where its own derivative has one. What stays open after a fixed number of
   /// steps is said to be open.
   Irregular_points<2> find_irregular() const
   {
@@ -448,11 +386,13 @@ private:
       const Stretch s = stretch(k);
       if (s.piece->is_half_branch) continue;
       const Piece_evaluator e(*s.form, s.piece->base);
-      if (e.has_strict_base_slope()) continue;
-      Irregular_search search{{}, max_irregular_steps};
-      search_irregular(e, knot_at(s, e, false), knot_at(s, e, true), search);
-      if (s.reversed) std::reverse(search.found.begin(), search.found.end());
-      all.points.insert(all.points.end(), search.found.begin(), search.found.end());
+      const bool plain = patch(s).map.chart().is_plain();
+      if (plain && e.has_strict_base_slope()) continue;
+      Irregular_search search{{}, max_irregular_steps, 0};
+      for (search.input = 0; search.input < 2; ++search.input)
+        if (!plain || search.input == static_cast<std::size_t>(e.pivot())) search_irregular(e, knot_at(s, e, false), knot_at(s, e, true), search);
+      std::sort(search.found.begin(), search.found.end(), [&](const Found& a, const Found& b) { return (a.base < b.base) != s.reversed; });
+      for (Found& f : search.found) all.points.push_back(std::move(f.point));
       all.complete = all.complete && search.steps_left > 0;
     }
     return all;
@@ -460,54 +400,67 @@ private:
 
   static constexpr int max_irregular_steps = 4000;
 
-  struct Irregular_search {
-    std::vector<Arc_point<2>> found;
-    int steps_left;
+  struct Found {
+    double base;
+    Arc_point<2> point;
   };
+
+  struct Irregular_search {
+    std::vector<Found> found;
+    int steps_left;
+    std::size_t input; ///< whose parameter's turns are looked for
+  };
+
+  /// First and second derivative of an input's parameter by the base variable over [a.base, b.base].
+  std::optional<Jet<Interval>> input_jet(const Piece_evaluator& e, const Knot& a, const Knot& b, std::size_t input) const
+  {
+    const auto jets = parameter_jets(e, a, b);
+    if (!jets) return std::nullopt;
+    return a.placed.patch->map.chart()(*jets)[input];
+  }
 
   void search_irregular(const Piece_evaluator& e, const Knot& a, const Knot& b, Irregular_search& search) const
   {
-    const auto pivot = static_cast<std::size_t>(e.pivot());
-    const auto jets = parameter_jets(e, a, b);
-    if (jets && !contains_zero((*jets)[pivot].first)) return;
+    const auto jet = input_jet(e, a, b, search.input);
+    if (jet && !contains_zero(jet->first)) return;
     const double h = b.base.inf() - a.base.sup();
     if (--search.steps_left <= 0 || !(h > 0x1p-50)) {
       search.steps_left = 0;
       return;
     }
-    const double base = a.base.sup() + 0.5 * h;
-    const Knot m{Interval(base), place(*s_, parameters(e, base, midpoint(a.placed.at[pivot]), 1e-10))};
-    if (jets && !contains_zero((*jets)[pivot].second)) return bisect_irregular(e, a, b, search);
+    if (jet && !contains_zero(jet->second)) return bisect_irregular(e, a, b, search);
+    const Knot m = middle_knot(e, a, b, 1e-10);
     search_irregular(e, a, m, search);
     search_irregular(e, m, b, search);
+  }
+
+  Knot middle_knot(const Piece_evaluator& e, const Knot& a, const Knot& b, double wanted_width) const
+  {
+    const double base = a.base.sup() + 0.5 * (b.base.inf() - a.base.sup());
+    return {Interval(base), place(*a.placed.patch, parameters(e, base, midpoint(a.placed.at[static_cast<std::size_t>(e.pivot())]), wanted_width))};
   }
 
   /// The derivative is monotone from a to b: one zero or none, by the signs at the ends.
   void bisect_irregular(const Piece_evaluator& e, Knot a, Knot b, Irregular_search& search) const
   {
-    const auto pivot = static_cast<std::size_t>(e.pivot());
-    const Sign at_a = slope_sign(e, a), at_b = slope_sign(e, b);
+    const Sign at_a = slope_sign(e, a, search.input), at_b = slope_sign(e, b, search.input);
     if (is_strict(at_a) && at_a == at_b) return;
-    if (!is_strict(at_a) || !is_strict(at_b)) { // on a piece's end: the neighbour finds it too, or it is a boundary point
-      search.found.push_back(finished(*s_, (is_strict(at_a) ? b : a).placed));
-      return;
-    }
+    const auto note = [&](const Knot& k) { search.found.push_back({k.base.inf(), finished(*s_, k.placed)}); };
+    // A turn on a piece's end: the neighbour finds it too, or it is a boundary point.
+    if (!is_strict(at_a) || !is_strict(at_b)) return note(is_strict(at_a) ? b : a);
     for (;;) {
-      const double h = b.base.inf() - a.base.sup(), base = a.base.sup() + 0.5 * h;
-      const Knot m{Interval(base), place(*s_, parameters(e, base, midpoint(a.placed.at[pivot])))};
-      const Sign at_m = slope_sign(e, m);
-      if (!(h > 1e-13) || !is_strict(at_m)) {
-        search.found.push_back(finished(*s_, m.placed));
-        return;
-      }
+      const double h = b.base.inf() - a.base.sup();
+      const Knot m = middle_knot(e, a, b, 5e-13);
+      const Sign at_m = slope_sign(e, m, search.input);
+      if (!(h > 1e-13) || !is_strict(at_m)) return note(m);
       (at_m == at_a ? a : b) = m;
     }
   }
 
-  Sign slope_sign(const Piece_evaluator& e, const Knot& k) const
+  Sign slope_sign(const Piece_evaluator& e, const Knot& k, std::size_t input) const
   {
-    const auto jets = parameter_jets(e, k, k);
-    return jets ? sign_of((*jets)[static_cast<std::size_t>(e.pivot())].first) : Sign::unknown;
+    const auto jet = input_jet(e, k, k, input);
+    return jet ? sign_of(jet->first) : Sign::unknown;
   }
 
   std::shared_ptr<const Planar_solution> s_;

@@ -12,6 +12,7 @@
 #include <mpfr.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -87,10 +88,29 @@ inline Interval hull(const Interval& a, const Interval& b)
 inline bool overlap(const Interval& a, const Interval& b) { return a.inf() <= b.sup() && b.inf() <= a.sup(); }
 inline bool inside(const Interval& a, const Interval& b) { return b.inf() < a.inf() && a.sup() < b.sup(); }
 
+/// Enclosure, at most one unit in the last place wide, of x·2^-exponent. Independent of the rounding mode.
+inline Interval enclosing_scaled(const Integer& x, long exponent)
+{
+  if (x == 0) return Interval(0);
+  long e = 0;
+  const double m = mpz_get_d_2exp(&e, x.get_mpz_t()); // |m| in [1/2, 1), rounded towards zero
+  e -= exponent;
+  if (e < -960) return sgn(x) > 0 ? Interval(0, 0x1p-960) : Interval(-0x1p-960, 0);
+  const int power = static_cast<int>(e);
+  const double near = std::ldexp(m, power);
+  if (mpz_sizeinbase(x.get_mpz_t(), 2) <= 53) return Interval(near);
+  const double far = std::ldexp(m > 0 ? m + 0x1p-53 : m - 0x1p-53, power);
+  return m > 0 ? Interval(near, far) : Interval(far, near);
+}
+
 /// The tightest interval of doubles around a rational; one double where the rational is one.
 /// Independent of the rounding mode.
 inline Interval enclosing(const Rational& x)
 {
+  // A short numerator over a power of two is a double; most coordinates are such.
+  if (const mpz_srcptr q = x.get_den_mpz_t(); mpz_sizeinbase(x.get_num_mpz_t(), 2) <= 53 && mpz_sizeinbase(q, 2) <= 900 &&
+                                              mpz_scan1(q, 0) + 1 == mpz_sizeinbase(q, 2))
+    return Interval(std::ldexp(mpz_get_d(x.get_num_mpz_t()), -static_cast<int>(mpz_scan1(q, 0))));
   mpfr_t lo, hi;
   mpfr_init2(lo, 53);
   mpfr_init2(hi, 53);

@@ -15,6 +15,7 @@ enum class Claim_kind : unsigned char {
   empty,        ///< equation `variable` has one strict sign on the cell (zeros at corners excepted)
   graph,        ///< dominant for the pivot `variable`: at most one point above each value of the others
   crossing,     ///< the cell holds one singular point, where two smooth branches cross
+  outside,      ///< nothing is wanted here
   isolated_box, ///< a regular point system has exactly one solution in the box
   undecided     ///< a limit was reached; `reason` says which
 };

@@ -2,6 +2,7 @@
 #ifndef LOCUS_ZERO_SET_CURVE_SOLVER_H
 #define LOCUS_ZERO_SET_CURVE_SOLVER_H
 
+#include <locus/zero_set/arc_joining.h>
 #include <locus/zero_set/curve_graph.h>
 #include <locus/zero_set/face_segments.h>
 #include <locus/zero_set/solve_control.h>
@@ -63,6 +64,7 @@ private:
       graph_.statistics.point_cells += solved.cells;
       for (Isolated_point& p : solved.points) {
         p.cause = c;
+        p.tag = cause.tag;
         if (is_explained(cause, p) || (cause.leave_out && cause.leave_out(p))) continue;
         graph_.special.push_back(p);
         Claim<2> claim;
@@ -159,6 +161,11 @@ private:
   {
     Claim<2> claim;
     claim.box = tree_[i].box;
+    if (system_.outside && system_.outside(claim.box)) {
+      outside_cells_.push_back(i);
+      claim.kind = Claim_kind::outside;
+      return settle(claim);
+    }
     const Range_sign s = tree_.range_sign(i, claim.rung);
     if (is_strict(s) || is_zero_only_at_corners(i, s)) {
       if (!is_strict(s)) corner_cells_.push_back(i);
@@ -452,10 +459,14 @@ private:
       for (const std::size_t v : here)
         if (std::find(found.begin(), found.end(), v) == found.end()) found.push_back(v);
     };
-    walk(1, 0, true);
-    walk(0, 1, true);
-    walk(1, 1, false);
-    walk(0, 0, false);
+    // Faces counterclockwise; where the point lies on some, the walk begins behind them, so that the order is that of a
+    // sector's half-branches.
+    constexpr std::array<std::array<int, 2>, 4> faces{{{1, 0}, {0, 1}, {1, 1}, {0, 0}}};
+    const auto skipped = [&](std::size_t k) { return p.face[static_cast<std::size_t>(faces[k % 4][0])] == faces[k % 4][1]; };
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      if (skipped(k) && !skipped(k + 1)) first = k + 1;
+    for (std::size_t k = first; k < first + 4; ++k) walk(faces[k % 4][0], faces[k % 4][1], k % 4 < 2);
     return found;
   }
 
@@ -771,14 +782,15 @@ private:
       if (vertex.kind == Graph_vertex::Kind::boundary && degree[v] == 2 && !vertex.is_mark)
         vertex.kind = Graph_vertex::Kind::crossing;
       if (vertex.kind != Graph_vertex::Kind::crossing || degree[v] == 2 || degree[v] == 0) continue;
-      if (!near_undecided(vertex)) throw std::logic_error("locus: an arc ends inside the domain");
+      if (!is_near(vertex, undecided_cells_) && !is_near(vertex, outside_cells_))
+        throw std::logic_error("locus: an arc ends inside the domain");
       vertex.kind = Graph_vertex::Kind::open;
     }
   }
 
-  bool near_undecided(const Graph_vertex& vertex) const
+  bool is_near(const Graph_vertex& vertex, const std::vector<Index>& cells) const
   {
-    for (const Index i : undecided_cells_) {
+    for (const Index i : cells) {
       const Box<2>& b = tree_[i].box;
       if (vertex.at[0].sup() >= b.lo[0] && vertex.at[0].inf() <= b.hi[0] && vertex.at[1].sup() >= b.lo[1] &&
           vertex.at[1].inf() <= b.hi[1])
@@ -829,43 +841,18 @@ private:
 
   void join_arcs()
   {
-    std::vector<std::vector<std::size_t>> at(graph_.vertices.size());
-    for (std::size_t p = 0; p < graph_.pieces.size(); ++p) {
-      at[graph_.pieces[p].from].push_back(p);
-      at[graph_.pieces[p].to].push_back(p);
+    std::vector<Arc_link> links;
+    for (const Graph_piece& p : graph_.pieces) links.push_back({p.from, p.to});
+    std::vector<char> through;
+    for (const Graph_vertex& v : graph_.vertices) through.push_back(runs_through(v));
+    for (Joined_arc& joined : join_links(links, through)) {
+      Graph_arc arc;
+      for (const auto& step : joined.steps) arc.steps.push_back({step.link, step.reversed});
+      arc.closed = joined.closed;
+      arc.source = joined.source;
+      arc.target = joined.target;
+      graph_.arcs.push_back(std::move(arc));
     }
-    std::vector<char> used(graph_.pieces.size(), 0);
-    const auto follow = [&](std::size_t piece, std::size_t start, Graph_arc& arc) {
-      std::size_t v = start;
-      for (;;) {
-        used[piece] = 1;
-        const Graph_piece& p = graph_.pieces[piece];
-        const bool reversed = p.from != v;
-        arc.steps.push_back({piece, reversed});
-        v = reversed ? p.from : p.to;
-        if (v == start && runs_through(graph_.vertices[v])) {
-          arc.closed = true;
-          break;
-        }
-        if (!runs_through(graph_.vertices[v])) break;
-        piece = at[v][0] == piece ? at[v][1] : at[v][0];
-      }
-      arc.source = start;
-      arc.target = v;
-    };
-    for (std::size_t v = 0; v < at.size(); ++v) {
-      if (runs_through(graph_.vertices[v])) continue;
-      for (const std::size_t p : at[v])
-        if (!used[p]) {
-          graph_.arcs.emplace_back();
-          follow(p, v, graph_.arcs.back());
-        }
-    }
-    for (std::size_t p = 0; p < used.size(); ++p)
-      if (!used[p]) {
-        graph_.arcs.emplace_back();
-        follow(p, graph_.pieces[p].from, graph_.arcs.back());
-      }
   }
 
   void keep_forms()
@@ -887,7 +874,7 @@ private:
   Cell_tree tree_;
   Face_segments segments_;
   std::vector<Faces> faces_;
-  std::vector<Index> graph_cells_, node_cells_, corner_cells_, undecided_cells_;
+  std::vector<Index> graph_cells_, node_cells_, corner_cells_, outside_cells_, undecided_cells_;
   std::vector<std::pair<int, Sign>> pivot_;
   std::vector<std::size_t> node_of_;
   std::vector<char> hessian_proved_;

@@ -2,6 +2,7 @@
 #ifndef LOCUS_ZERO_SET_PIECE_EVALUATION_H
 #define LOCUS_ZERO_SET_PIECE_EVALUATION_H
 
+#include <locus/function/enclosed_surface.h>
 #include <locus/zero_set/curve_graph.h>
 
 #include <algorithm>
@@ -191,51 +192,7 @@ private:
     return box;
   }
 
-  /// A polynomial on the cell with bounds of its slopes and its range, for enclosures over small boxes.
-  struct Surface {
-    Bernstein<Bounded, 2> f;
-    double error = 0;
-    std::array<double, 2> slope{};
-    Interval range{0};
-
-    Surface() = default;
-    explicit Surface(Bernstein<Bounded, 2> g) : f(std::move(g))
-    {
-      const double operations = 6.0 * (f.degree(0) + f.degree(1)) + 12;
-      error = detail::accumulated_error(f.error(), operations, f.norm());
-      for (int v = 0; v < 2; ++v) slope[static_cast<std::size_t>(v)] = f.degree(v) == 0 ? 0.0 : derivative(f, v).norm();
-      const auto& c = f.values().coefficients();
-      const auto [least, greatest] = std::minmax_element(c.begin(), c.end());
-      range = Interval(*least, *greatest) + Interval(-f.error(), f.error());
-    }
-
-    /// Value at a point; the bound of rounding also covers the few roundings in the point, by the slopes.
-    Interval at(const std::array<double, 2>& centre) const
-    {
-      const double value = detail::tensor_value(f.values().data(), f.degree(0), f.degree(1), centre[0], centre[1]);
-      const double r = error + 4 * operation_error * (slope[0] + slope[1]);
-      return Interval(value) + Interval(-r, r);
-    }
-
-    Interval over(const std::array<double, 2>& centre, const std::array<double, 2>& radius) const
-    {
-      const double r = slope[0] * radius[0] + slope[1] * radius[1];
-      return within_range(at(centre) + Interval(-r, r));
-    }
-
-    /// The same by the mean value theorem, from enclosures of both slopes over the box.
-    Interval over(const std::array<double, 2>& centre, const std::array<double, 2>& radius, const Interval& slope_0,
-                  const Interval& slope_1) const
-    {
-      return within_range(at(centre) + slope_0 * Interval(-radius[0], radius[0]) + slope_1 * Interval(-radius[1], radius[1]));
-    }
-
-    Interval within_range(const Interval& x) const
-    {
-      return {std::min(range.sup(), std::max(range.inf(), x.inf())), std::max(range.inf(), std::min(range.sup(), x.sup()))};
-    }
-  };
-
+  using Surface = Enclosed_surface;
   struct Surfaces {
     Surface f, p, b, pp, pb, bb;
   };

@@ -35,15 +35,14 @@ public:
 template <int D>
 class Polynomial_equation final : public Equation<D> {
 public:
-  /// The coefficients may be of any size: the enclosure is of f times a power of two.
-  explicit Polynomial_equation(const Bernstein<Rational, D>& f)
-    : exact_(f), enclosure_(converted<Interval>(f, [e = exponent_of(f)](Rational c) {
-        if (e >= 0) mpq_div_2exp(c.get_mpq_t(), c.get_mpq_t(), static_cast<mp_bitcnt_t>(e));
-        else mpq_mul_2exp(c.get_mpq_t(), c.get_mpq_t(), static_cast<mp_bitcnt_t>(-e));
-        return locus::enclosing(c);
-      }))
+  /// The coefficients may be of any size: the enclosure is of f times a positive factor.
+  explicit Polynomial_equation(Bernstein<Scaled_integer, D> f) : exact_(std::move(f))
   {
+    std::size_t bits = 0;
+    for (const Integer& c : exact_.values().coefficients()) bits = std::max(bits, mpz_sizeinbase(c.get_mpz_t(), 2));
+    enclosure_ = converted<Interval>(exact_.values(), [&](const Integer& c) { return enclosing_scaled(c, static_cast<long>(bits)); });
   }
+  explicit Polynomial_equation(const Bernstein<Rational, D>& f) : Polynomial_equation(Bernstein<Scaled_integer, D>(f)) {}
 
   Degrees<D> degrees() const override { return exact_.degrees(); }
   const Bernstein<Scaled_integer, D>& exact() const override { return exact_; }
@@ -59,20 +58,6 @@ public:
   }
 
 private:
-  /// 2^exponent is about the size of the greatest coefficient.
-  static long exponent_of(const Bernstein<Rational, D>& f)
-  {
-    bool any = false;
-    long greatest = 0;
-    for (const Rational& c : f.coefficients()) {
-      if (c == 0) continue;
-      const long e = static_cast<long>(mpz_sizeinbase(c.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(c.get_den_mpz_t(), 2));
-      greatest = any ? std::max(greatest, e) : e;
-      any = true;
-    }
-    return greatest;
-  }
-
   Bernstein<Scaled_integer, D> exact_;
   Bernstein<Interval, D> enclosure_;
 };
@@ -85,6 +70,7 @@ struct Isolated_solution {
   /// For each variable: 0 or 1 where the solution lies exactly on that face of the unit cell, else -1.
   std::array<int, static_cast<std::size_t>(D)> face;
   std::size_t cause = 0; ///< index of the cause that it solves
+  int tag = 0;           ///< that cause's tag
   Box<D> unique_in;      ///< larger box with no other solution of the same equations
 
   Isolated_solution() { face.fill(-1); }
@@ -103,21 +89,23 @@ struct Cause {
   std::string name;                                                     ///< e.g. "C1 = C2"
   std::array<std::shared_ptr<const Equation<D>>, static_cast<std::size_t>(D)> equations;
   Claim_kind proves = Claim_kind::crossing;
+  int tag = 0; ///< for the caller, who finds it again at the solutions
   /// Causes (by index) all of whose solutions solve this one as well; such a solution counts for them only.
   std::vector<std::size_t> includes;
   /// Solutions that belong to another factor of the equation, if any, decided exactly.
   std::function<bool(const Isolated_solution<D>&)> leave_out;
 };
 
-/// K polynomial equations in D variables on a domain. `known_factors` have been divided out already and are listed so
+/// K polynomial equations in D variables on the unit cell of a domain's piece. `known_factors` have been divided out already and are listed so
 /// that a result can report them; `causes` let the solver use geometry without knowing any.
 template <int K, int D>
 struct System {
   std::string name;
-  Domain<D> domain;
   std::array<std::shared_ptr<const Equation<D>>, static_cast<std::size_t>(K)> equations;
   std::vector<std::shared_ptr<const Equation<D>>> known_factors;
   std::vector<Cause<D>> causes;
+  /// Half of the unit cell of which nothing is wanted, if any: a solve may leave boxes there alone, and arcs open.
+  std::function<bool(const Box<D>&)> outside;
 };
 
 } // namespace locus

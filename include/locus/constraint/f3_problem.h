@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRAINT_F3_PROBLEM_H
+#define LOCUS_CONSTRAINT_F3_PROBLEM_H
+
+#include <locus/constraint/planar_equations.h>
+#include <locus/function/corner_chart.h>
+
+#include <optional>
+#include <vector>
+
+namespace locus {
+
+/// A component of F3 = 0 that is no arc of the bisector.
+struct Degenerate_component {
+  enum class Kind : unsigned char {
+    centre,     ///< maps to one point, the centre of the circle that carries an input
+    infinity,   ///< maps to infinity: the curve is tangent there to the line that carries the other input
+    overlap,    ///< the inputs coincide along it; every point of it is its own bisector point
+    everything  ///< F3 vanishes identically: both inputs lie on one line or one circle
+  };
+  Kind kind = Kind::everything;
+  int input = -1;              ///< whose parameter is constant along it (centre, infinity)
+  double lo = 0, hi = 1;       ///< enclosure of that parameter, on the unit interval
+  int multiplicity = 1;
+  bool reversed = false;       ///< overlap along t + r = 1 instead of t = r
+};
+
+/// What a cause of an F3 problem says of its solutions (`Cause::tag`).
+enum class F3_cause : int {
+  meeting,  ///< the curves meet
+  pole,     ///< a common tangent line: the bisector goes to infinity
+  axis,     ///< two factors meet
+  diagonal  ///< a self-bisector's end, where the curvature is extremal
+};
+
+constexpr int tag_of(F3_cause c) { return static_cast<int>(c); }
+
+/// The bisector of two planar curve pieces as a system in their parameters, or in a chart of them.
+struct F3_problem {
+  std::shared_ptr<const Planar_curve> first, second;
+  Corner_chart chart;
+  bool is_self = false;       ///< both are one piece: only t > r is wanted
+  bool along_blow_up = false; ///< this is the axis through a corner that is blown up, solved apart
+  System<1, 2> system;
+  /// For mirror images with matching parameters: the axis t = r (or t + r = 1), a factor of F3 that `system` is then
+  /// without. Both have the cause number 0 in common, their crossings.
+  std::optional<System<1, 2>> axis;
+  bool axis_reversed = false;
+  Degrees<2> degrees{}; ///< of the equation as solved
+  std::vector<Degenerate_component> degenerate;
+};
+
+namespace detail {
+
+template <class Form>
+std::shared_ptr<const Equation<2>> pair_equation(const F3_problem& p)
+{
+  return std::make_shared<Curve_pair_equation<Form>>(p.first, p.second);
+}
+
+} // namespace detail
+} // namespace locus
+
+#endif

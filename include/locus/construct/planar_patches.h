@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRUCT_PLANAR_PATCHES_H
+#define LOCUS_CONSTRUCT_PLANAR_PATCHES_H
+
+#include <locus/constraint/f3_system.h>
+#include <locus/construct/planar_pieces.h>
+#include <locus/zero_set/curve_solver.h>
+#include <locus/zero_set/overlay.h>
+
+#include <chrono>
+
+namespace locus {
+namespace detail {
+
+/// Keeps the leaves of a solve for pictures, in the inputs' parameters.
+class Cell_keeper final : public Claim_observer<2> {
+public:
+  void on_claim(const Claim<2>& claim) override
+  {
+    const char* name = name_of(claim.kind);
+    if (!name) return;
+    Cell_picture cell;
+    for (int corner = 0; corner < 4; ++corner) { // counterclockwise
+      const bool high_0 = corner == 1 || corner == 2, high_1 = corner >= 2;
+      const std::array<Range, 2> p =
+        patch.parameters({Interval(high_0 ? claim.box.hi[0] : claim.box.lo[0]), Interval(high_1 ? claim.box.hi[1] : claim.box.lo[1])});
+      cell.corners.push_back({p[0].lo, p[1].lo});
+      for (std::size_t v = 0; v < 2; ++v) {
+        if (corner == 0) cell.box.push_back(p[v]);
+        cell.box[v] = {std::min(cell.box[v].lo, p[v].lo), std::max(cell.box[v].hi, p[v].hi)};
+      }
+    }
+    cell.claim = name;
+    cells.push_back(std::move(cell));
+  }
+
+  Planar_patch patch; ///< whose cells come next
+  std::vector<Cell_picture> cells;
+
+private:
+  static const char* name_of(Claim_kind kind)
+  {
+    switch (kind) {
+    case Claim_kind::empty: return "empty";
+    case Claim_kind::graph: return "graph";
+    case Claim_kind::crossing: return "crossing";
+    case Claim_kind::undecided: return "undecided";
+    case Claim_kind::split:
+    case Claim_kind::outside:
+    case Claim_kind::isolated_box: return nullptr;
+    }
+    return nullptr;
+  }
+};
+
+/// Strict sign of t - r (or t + r - 1) somewhere on a piece that does not meet that line between its ends.
+inline Sign side_of_axis(const Curve_graph& graph, std::size_t piece, bool reversed)
+{
+  const Graph_piece& p = graph.pieces[piece];
+  const auto side = [reversed](const std::array<Interval, 2>& at) { return sign_of(reversed ? at[0] + at[1] - Interval(1) : at[0] - at[1]); };
+  if (p.is_half_branch) return side(graph.vertices[p.to].at);
+  const auto base = static_cast<std::size_t>(p.base);
+  const Interval from = graph.vertices[p.from].at[base], to = graph.vertices[p.to].at[base];
+  const Piece_evaluator e(graph.forms[piece], p.base);
+  for (const double f : {0.5, 0.25, 0.75, 0.0625, 0.9375}) {
+    const double s = from.sup() + f * (to.inf() - from.sup());
+    std::array<Interval, 2> at;
+    at[base] = Interval(s);
+    at[1 - base] = e.pivot_at(s, 0.5 * (midpoint(graph.vertices[p.from].at[1 - base]) + midpoint(graph.vertices[p.to].at[1 - base])));
+    if (const Sign sign = side(at); is_strict(sign)) return sign;
+  }
+  return Sign::unknown;
+}
+
+inline Curve_graph solve_f3(const F3_problem& problem, const Solve_control& control, Claim_observer<2>* observer)
+{
+  Curve_graph graph = solve_curves(problem.system, control, observer);
+  if (!problem.axis) return graph;
+  const bool reversed = problem.axis_reversed;
+  Curve_graph axis = solve_curves(*problem.axis, control);
+  return Overlay(std::move(graph), std::move(axis),
+                 [reversed](const Curve_graph& g, std::size_t piece) { return side_of_axis(g, piece, reversed); })
+    .run();
+}
+
+/// Solves F3 = 0 on all pairs of pieces that are not purged, patch by patch.
+class Patch_maker {
+public:
+  Patch_maker(const Planar_pieces& first, const Planar_pieces& second, const Solve_control& control, Cell_keeper* keeper)
+    : first_(first), second_(second), control_(control), keeper_(keeper)
+  {
+  }
+
+  void solve_pair(std::size_t i, std::size_t j, bool is_self)
+  {
+    const auto &a = first_.curves[i], &b = second_.curves[j];
+    if (is_self && i == j) return solve(f3_self_problem(a), i, j);
+    if (are_apart(first_.bounds[i], second_.bounds[j])) return;
+    for (int s = 0; s < 2; ++s)
+      for (int e = 0; e < 2; ++e)
+        if (touch_at(*a, s, *b, e)) {
+          for (const F3_problem& problem : f3_corner_problems(a, b, {s, e})) solve(problem, i, j);
+          return;
+        }
+    solve(f3_problem(a, b), i, j);
+  }
+
+  std::size_t cell(std::size_t i, std::size_t j) const { return i * second_.size() + j; }
+
+  std::vector<Patch> patches;
+  std::vector<Planar_patch> planar;
+  /// What is said of a patch's problem, beside its zero set.
+  struct Note {
+    Planar_patch patch;
+    std::vector<Degenerate_component> degenerate;
+  };
+  std::vector<Note> notes;
+  Degrees<2> degrees{0, 0};
+  bool has_axis = false;
+  Solve_statistics statistics;
+
+private:
+  void solve(const F3_problem& problem, std::size_t i, std::size_t j)
+  {
+    Planar_patch planar_patch;
+    planar_patch.piece = {i, j};
+    planar_patch.domain = {first_.ranges[i], second_.ranges[j]};
+    planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, std::nullopt);
+    if (keeper_) keeper_->patch = planar_patch;
+    Patch patch;
+    patch.graph = solve_f3(problem, remaining_control(), problem.along_blow_up ? nullptr : keeper_);
+    patch.chart = problem.chart;
+    patch.cell = cell(i, j);
+    patch.along_blow_up = problem.along_blow_up;
+    add(statistics, patch.graph.statistics);
+    for (std::size_t v = 0; v < 2; ++v) degrees[v] = std::max(degrees[v], problem.degrees[v]);
+    has_axis = has_axis || problem.axis || problem.along_blow_up;
+    note_degenerate(problem, patch, planar_patch);
+    if (is_nothing(patch.graph) && problem.degenerate.empty()) return;
+    mark_vertices(problem, patch);
+    if (problem.is_self) drop_mirror_half(patch);
+    if (!patch.graph.pieces.empty() || !patch.graph.vertices.empty())
+      if (auto contact = contact_form(problem))
+        planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, contact);
+    patches.push_back(std::move(patch));
+    planar.push_back(std::move(planar_patch));
+  }
+
+  static bool is_nothing(const Curve_graph& g)
+  {
+    return g.pieces.empty() && g.vertices.empty() && g.undecided.empty() && !g.identically_zero;
+  }
+
+  void note_degenerate(const F3_problem& problem, const Patch& patch, const Planar_patch& planar_patch)
+  {
+    Note note{planar_patch, problem.degenerate};
+    if (patch.graph.identically_zero) note.degenerate.push_back(Degenerate_component{});
+    if (!note.degenerate.empty()) notes.push_back(std::move(note));
+  }
+
+  /// The limits hold for all patches together.
+  Solve_control remaining_control() const
+  {
+    Solve_control c = control_;
+    c.max_cells = control_.max_cells > statistics.cells ? control_.max_cells - statistics.cells : 0;
+    if (std::isfinite(control_.max_seconds))
+      c.max_seconds = control_.max_seconds - std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    if (control_.progress)
+      c.progress = [this](std::size_t done, std::size_t open) { control_.progress(statistics.cells + done, open); };
+    return c;
+  }
+
+  static void add(Solve_statistics& to, const Solve_statistics& s)
+  {
+    to.cells += s.cells;
+    to.leaves += s.leaves;
+    to.point_cells += s.point_cells;
+    to.exact_cells += s.exact_cells;
+    to.filter += s.filter;
+  }
+
+  /// Poles of the map to the plane (common tangents, infinite feet), and places where arcs end for good.
+  void mark_vertices(const F3_problem& problem, Patch& patch) const
+  {
+    const std::size_t n = patch.graph.vertices.size();
+    patch.is_pole.assign(n, 0);
+    patch.is_final.assign(n, 0);
+    const auto is_exactly = [](const Interval& x, int end) { return x.inf() == end && x.sup() == end; };
+    for (std::size_t v = 0; v < n; ++v) {
+      const Graph_vertex& vertex = patch.graph.vertices[v];
+      const int tag = vertex.cause >= 0 ? patch.graph.special[static_cast<std::size_t>(vertex.cause)].tag : tag_of(F3_cause::meeting);
+      const std::array<Interval, 2> at = patch.local(v);
+      patch.is_pole[v] = tag == tag_of(F3_cause::pole);
+      patch.is_final[v] = tag == tag_of(F3_cause::diagonal);
+      for (int end = 0; end < 2; ++end) {
+        patch.is_pole[v] = patch.is_pole[v] || (is_exactly(at[0], end) && problem.first->is_infinite_at(end)) ||
+                           (is_exactly(at[1], end) && problem.second->is_infinite_at(end));
+        patch.is_final[v] = patch.is_final[v] || (problem.is_self && is_exactly(at[0], end) && is_exactly(at[1], end));
+      }
+      const bool is_blown_up = !problem.chart.is_plain() || problem.along_blow_up;
+      patch.is_final[v] = patch.is_final[v] || (is_blown_up && is_exactly(at[0], problem.chart.corner[0]) && is_exactly(at[1], problem.chart.corner[1]));
+    }
+  }
+
+  /// Of a piece with itself only t > r is kept.
+  static void drop_mirror_half(Patch& patch)
+  {
+    Curve_graph& g = patch.graph;
+    patch.dropped.assign(g.pieces.size(), 0);
+    for (std::size_t k = 0; k < g.pieces.size(); ++k) {
+      const Sign side = side_of_axis(g, k, false);
+      patch.dropped[k] = side == Sign::negative;
+      if (side == Sign::unknown) g.undecided.push_back({g.forms[k].box, "on which side of the diagonal an arc runs"});
+    }
+    const auto is_mirrored = [](const Undecided_box& u) { return u.box.hi[0] < u.box.lo[1]; };
+    g.undecided.erase(std::remove_if(g.undecided.begin(), g.undecided.end(), is_mirrored), g.undecided.end());
+  }
+
+  const Planar_pieces &first_, &second_;
+  const Solve_control& control_;
+  Cell_keeper* keeper_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// Sides of the cells of two chains' product across which zero sets go on.
+inline std::vector<Glued_sides> glued_sides(const Planar_pieces& first, const Planar_pieces& second)
+{
+  std::vector<Glued_sides> glued;
+  const std::size_t n = first.size(), m = second.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < m; ++j) {
+      if (first.goes_on_at(i, 1)) glued.push_back({{i * m + j, 0, 1}, {first.neighbour(i, 1) * m + j, 0, 0}});
+      if (second.goes_on_at(j, 1)) glued.push_back({{i * m + j, 1, 1}, {i * m + second.neighbour(j, 1), 1, 0}});
+    }
+  return glued;
+}
+
+/// The same for the cells (i, j), i ≥ j, of a chain with itself: across the seam the parameters change places.
+inline std::vector<Glued_sides> glued_sides_of_self(const Planar_pieces& pieces)
+{
+  std::vector<Glued_sides> glued;
+  const std::size_t n = pieces.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      const std::size_t cell = i * n + j;
+      if (i + 1 < n && pieces.goes_on_at(i, 1)) glued.push_back({{cell, 0, 1}, {(i + 1) * n + j, 0, 0}});
+      if (i + 1 == n && pieces.goes_on_at(i, 1)) glued.push_back({{cell, 0, 1}, {j * n, 1, 0}});
+      if (j + 1 <= i && pieces.goes_on_at(j, 1)) glued.push_back({{cell, 1, 1}, {cell + 1, 1, 0}});
+    }
+  return glued;
+}
+
+} // namespace detail
+} // namespace locus
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRUCT_PLANAR_PIECES_H
+#define LOCUS_CONSTRUCT_PLANAR_PIECES_H
+
+#include <locus/constraint/span_bound.h>
+#include <locus/construct/planar_solution.h>
+
+namespace locus {
+namespace detail {
+
+/// The pieces of one input in a common frame, as the constraints, the purging tests and the map to the plane need them.
+struct Planar_pieces {
+  Chain chain;
+  std::vector<std::shared_ptr<const Planar_curve>> curves;
+  std::vector<Span_bound> bounds;
+  std::vector<Parameter_range> ranges;
+
+  Planar_pieces(const Curve_2& curve, const Frame<2>& frame) : chain(curve.chain())
+  {
+    for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
+      curves.push_back(std::make_shared<const Planar_curve>(curve.pieces()[i], frame));
+      bounds.emplace_back(*curves.back());
+      ranges.emplace_back(chain.pieces[i]);
+    }
+    evaluators_.resize(curves.size());
+  }
+
+  std::size_t size() const { return curves.size(); }
+
+  const Bisector_map_2::Evaluator& evaluator(std::size_t i) const
+  {
+    if (!evaluators_[i]) evaluators_[i] = std::make_shared<const Curve_evaluator>(*curves[i]);
+    return evaluators_[i];
+  }
+
+  /// The joint at an end (0 or 1) of a piece, if there is one.
+  const Joint* joint_at(std::size_t piece, int end) const
+  {
+    const std::size_t n = curves.size();
+    if (end == 1 && piece < chain.joints.size()) return &chain.joints[piece];
+    if (end == 0 && piece > 0) return &chain.joints[piece - 1];
+    if (end == 0 && chain.is_closed()) return &chain.joints[n - 1];
+    return nullptr;
+  }
+
+  /// The piece behind an end.
+  std::size_t neighbour(std::size_t piece, int end) const
+  {
+    const std::size_t n = curves.size();
+    return end == 1 ? (piece + 1) % n : (piece + n - 1) % n;
+  }
+
+  bool goes_on_at(std::size_t piece, int end) const
+  {
+    const Joint* joint = joint_at(piece, end);
+    return joint && joint->goes_on();
+  }
+
+  /// What a foot at a local parameter lies on.
+  Feature feature_at(std::size_t piece, const Interval& u) const
+  {
+    for (int end = 0; end < 2; ++end) {
+      if (u.inf() != end || u.sup() != end) continue;
+      const Joint* joint = joint_at(piece, end);
+      if (!joint) return end == 0 ? Feature::start : Feature::end;
+      return joint->kind == Joint_kind::corner ? Feature::corner : Feature::interior;
+    }
+    return Feature::interior;
+  }
+
+private:
+  mutable std::vector<Bisector_map_2::Evaluator> evaluators_;
+};
+
+/// An end of a piece in homogeneous coordinates, with the direction of the tangent there.
+struct Piece_end {
+  Exact_point<2> numerator, tangent;
+  Rational weight;
+
+  Piece_end(const Planar_curve& c, int end)
+  {
+    const auto value = [end](const Bernstein<Rational, 1>& f) { return f[end == 0 ? 0 : f.size() - 1]; };
+    for (std::size_t v = 0; v < 2; ++v) {
+      numerator[v] = value(c.numerator(v));
+      tangent[v] = value(c.tangent(v));
+    }
+    weight = value(c.weight());
+  }
+};
+
+/// The pieces share a finite point at these ends and have one tangent line there: F3 is singular beyond a node.
+inline bool touch_at(const Planar_curve& p, int p_end, const Planar_curve& q, int q_end)
+{
+  const auto end_of = [](const Bernstein<Interval, 1>& f, int end) { return f[end == 0 ? 0 : f.size() - 1]; };
+  for (std::size_t v = 0; v < 2; ++v) { // most pieces are far apart
+    const Interval left = end_of(p.numerator_enclosure(v), p_end) * end_of(q.weight_enclosure(), q_end);
+    const Interval right = end_of(q.numerator_enclosure(v), q_end) * end_of(p.weight_enclosure(), p_end);
+    if (!overlap(left, right)) return false;
+  }
+  const Piece_end a(p, p_end), b(q, q_end);
+  if (a.weight == 0 || b.weight == 0) return false;
+  for (std::size_t v = 0; v < 2; ++v)
+    if (a.numerator[v] * b.weight != b.numerator[v] * a.weight) return false;
+  return a.tangent[0] * b.tangent[1] == a.tangent[1] * b.tangent[0];
+}
+
+/// Corners of the inputs' control polygons: the frame and the scale are taken from them.
+inline void collect_control_points(const Curve_2& curve, std::vector<Exact_point<2>>& points)
+{
+  for (const auto& piece : curve.pieces())
+    for (std::size_t i = 0; i < piece.numerator[0].size(); ++i) {
+      const Rational w = piece.is_polynomial() ? piece.weight[0] : i < piece.weight.size() ? piece.weight[i] : Rational(0);
+      if (w == 0) continue;
+      points.push_back({Rational(piece.numerator[0][i] / w), Rational(piece.numerator[1][i] / w)});
+    }
+}
+
+inline void measure_inputs(const std::vector<Exact_point<2>>& points, Planar_solution& solution)
+{
+  std::array<Interval, 2> extent, middle;
+  for (std::size_t k = 0; k < 2; ++k) {
+    Interval lo(0), hi(0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Interval x = enclosing(solution.frame.into(points[i][k], k));
+      lo = i == 0 ? x : Interval(std::min(lo.inf(), x.inf()), std::min(lo.sup(), x.sup()));
+      hi = i == 0 ? x : Interval(std::max(hi.inf(), x.inf()), std::max(hi.sup(), x.sup()));
+    }
+    extent[k] = hi - lo;
+    middle[k] = hull(lo, hi);
+  }
+  solution.scale = std::hypot(midpoint(extent[0]), midpoint(extent[1]));
+  solution.cut_radius = 10 * solution.scale;
+  solution.centre = {midpoint(middle[0]), midpoint(middle[1])};
+}
+
+} // namespace detail
+} // namespace locus
+
+#endif

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRUCT_PLANAR_SOLUTION_H
+#define LOCUS_CONSTRUCT_PLANAR_SOLUTION_H
+
+#include <locus/construct/bisector_map_2.h>
+#include <locus/construct/locus.h>
+#include <locus/shape/frame.h>
+#include <locus/zero_set/patchwork.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace locus {
+
+/// The values of a parameter that the unit interval stands for, enclosed.
+class Parameter_range {
+public:
+  Parameter_range() = default;
+  explicit Parameter_range(const Piece& piece)
+    : lo_(enclosing(piece.lo)), hi_(enclosing(piece.hi)), lo_infinite_(piece.lo_infinite), hi_infinite_(piece.hi_infinite)
+  {
+    is_unit_ = piece.is_finite() && piece.lo == 0 && piece.hi == 1;
+  }
+
+  /// An infinite end is an infinity.
+  Range at(const Interval& u) const
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (u.sup() == 0) return lo_infinite_ ? Range{-infinite, -infinite} : Range{lo_.inf(), lo_.sup()};
+    if (u.inf() == 1) return hi_infinite_ ? Range{infinite, infinite} : Range{hi_.inf(), hi_.sup()};
+    if (hi_infinite_) return clipped(lo_ / (Interval(1) - Interval(u.inf(), std::min(1.0, u.sup()))));
+    if (lo_infinite_) return clipped(hi_ / Interval(std::max(0.0, u.inf()), u.sup()));
+    return clipped(is_unit_ ? u : lo_ + u * (hi_ - lo_));
+  }
+
+private:
+  Range clipped(const Interval& p) const
+  {
+    return {lo_infinite_ ? p.inf() : std::max(p.inf(), lo_.inf()), hi_infinite_ ? p.sup() : std::min(p.sup(), hi_.sup())};
+  }
+
+  Interval lo_ = Interval(0), hi_ = Interval(1);
+  bool lo_infinite_ = false, hi_infinite_ = false, is_unit_ = true;
+};
+
+/// What belongs to one patch of the zero set, beside its graph: the map to the plane and both inputs' parameters.
+struct Planar_patch {
+  Bisector_map_2 map;
+  std::array<std::size_t, 2> piece{0, 0}; ///< of both inputs
+  std::array<Parameter_range, 2> domain;
+
+  /// The inputs' parameters at a place of the patch's chart.
+  std::array<Range, 2> parameters(const std::array<Interval, 2>& at) const
+  {
+    const std::array<Interval, 2> p = map.chart()(at);
+    return {domain[0].at(p[0]), domain[1].at(p[1])};
+  }
+};
+
+/// Everything that the arcs of one planar bisector share: immutable once made.
+struct Planar_solution {
+  Frame<2> frame;
+  std::array<Interval, 2> origin; ///< of the frame
+  std::vector<Planar_patch> patches; ///< as in `work.patches`
+  Patchwork work;
+  double scale = 1;            ///< diameter of the inputs, in the frame
+  double cut_radius = 10;      ///< in the frame, from `centre`
+  Vector_2<double> centre;     ///< of the inputs' bounding box, in the frame
+};
+
+namespace detail {
+
+/// A point of an arc during evaluation, in the frame and in the coordinates of its patch's chart.
+struct Placed {
+  const Planar_patch* patch = nullptr;
+  std::array<Interval, 2> at;
+  Vector_2<Interval> point;
+  Interval radius;
+};
+
+inline Placed place(const Planar_patch& patch, const std::array<Interval, 2>& at)
+{
+  const Map_formula formula = patch.map.choose({midpoint(at[0]), midpoint(at[1])});
+  const auto image = patch.map.at(at, formula);
+  const Vector_2<Interval> arm = image.point - image.first_foot;
+  return {&patch, at, image.point, CGAL::sqrt(CGAL::square(arm.x) + CGAL::square(arm.y))};
+}
+
+inline double diameter(const Vector_2<Interval>& box) { return std::hypot(width(box.x), width(box.y)) * (1 + 8 * operation_error); }
+
+/// The point in the user's coordinates, with a proved bound of the printed doubles' distance from the exact one.
+inline Arc_point<2> finished(const Planar_solution& s, const Placed& p)
+{
+  Approximate_point<2> point;
+  double error = 0;
+  const std::array<Interval, 2> xy{s.frame.length(p.point.x) + s.origin[0], s.frame.length(p.point.y) + s.origin[1]};
+  for (std::size_t k = 0; k < 2; ++k) {
+    point[k] = representative(xy[k]);
+    error = std::hypot(error, std::max(xy[k].sup() - point[k], point[k] - xy[k].inf()));
+  }
+  const Interval radius = s.frame.length(p.radius);
+  const auto parameters = p.patch->parameters(p.at);
+  return {{parameters[0], parameters[1]}, point, std::max(0.0, representative(radius)), error * (1 + 8 * operation_error)};
+}
+
+} // namespace detail
+
+} // namespace locus
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_FUNCTION_CORNER_CHART_H
+#define LOCUS_FUNCTION_CORNER_CHART_H
+
+#include <locus/function/scaled_basis.h>
+
+namespace locus {
+
+/// Coordinates (x0, x1) on a unit cell for a pair of local parameters (t, r): the parameters themselves, or one of the
+/// two charts that blow a corner of the cell up. With τ and ρ the distances from the corner, chart `first` covers
+/// τ ≤ ρ by τ = x0·x1, ρ = x1, and chart `second` covers ρ ≤ τ by τ = x1, ρ = x0·x1. The corner becomes the edge x1 = 0;
+/// the charts share the edge x0 = 1.
+struct Corner_chart {
+  enum class Kind : unsigned char { plain, first, second };
+  Kind kind = Kind::plain;
+  std::array<int, 2> corner{0, 0}; ///< 0 or 1 for each parameter
+
+  bool is_plain() const { return kind == Kind::plain; }
+
+  /// The local parameters; T is exact, an interval or a jet.
+  template <class T>
+  std::array<T, 2> operator()(const std::array<T, 2>& x) const
+  {
+    if (is_plain()) return x;
+    const T product = x[0] * x[1];
+    std::array<T, 2> p{kind == Kind::first ? product : x[1], kind == Kind::first ? x[1] : product};
+    for (std::size_t v = 0; v < 2; ++v)
+      if (corner[v] == 1) p[v] = T(1) - p[v];
+    return p;
+  }
+};
+
+/// Powers of the distances from a corner: coefficients of τ^i ρ^j, exact. Made once for both charts. O(n³) additions.
+class Corner_expansion {
+public:
+  Corner_expansion(const Bernstein<Scaled_integer, 2>& f, const std::array<int, 2>& corner) : powers_(detail::to_scaled_basis(f)), scale_(f.scale())
+  {
+    for (int v = 0; v < 2; ++v) {
+      if (corner[static_cast<std::size_t>(v)] == 1) powers_ = detail::reversed_along(powers_, v);
+      detail::shift_basis(powers_, v, true);
+    }
+    const int n = powers_.degree(0), m = powers_.degree(1);
+    order_ = n + m + 1;
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= m; ++j)
+        if (powers_.at({i, j}) != 0) order_ = std::min(order_, i + j);
+  }
+
+  /// Degree of the lowest form; above n + m for the zero polynomial.
+  int order() const { return order_; }
+  bool is_zero() const { return order_ > powers_.degree(0) + powers_.degree(1); }
+
+  /// The polynomial on a chart, divided by x1^by, where `by` is at most `order()`.
+  Bernstein<Scaled_integer, 2> on(Corner_chart::Kind chart, int by) const
+  {
+    const int n = powers_.degree(0), m = powers_.degree(1);
+    const bool first = chart == Corner_chart::Kind::first;
+    Bernstein<Integer, 2> g(Degrees<2>{first ? n : m, n + m - std::min(by, n + m)});
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= m; ++j)
+        if (powers_.at({i, j}) != 0) g.at({first ? i : j, i + j - by}) = powers_.at({i, j});
+    for (int v = 0; v < 2; ++v) detail::shift_basis(g, v, false);
+    return detail::from_scaled_basis(std::move(g), scale_);
+  }
+
+  /// The same divided as often as x1 divides it.
+  Bernstein<Scaled_integer, 2> on(Corner_chart::Kind chart) const { return on(chart, order_); }
+
+private:
+  Bernstein<Integer, 2> powers_;
+  Rational scale_;
+  int order_ = 0;
+};
+
+} // namespace locus
+
+#endif

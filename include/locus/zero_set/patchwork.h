@@ -1,0 +1,530 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_ZERO_SET_PATCHWORK_H
+#define LOCUS_ZERO_SET_PATCHWORK_H
+
+#include <locus/function/corner_chart.h>
+#include <locus/zero_set/arc_joining.h>
+#include <locus/zero_set/curve_graph.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace locus {
+
+/// The zero set on one chart of one cell of a domain: a cell of two chains is their pieces' product, and is covered by
+/// itself or by the two charts that blow one of its corners up. A factor solved apart is a graph of its own.
+struct Patch {
+  Curve_graph graph;
+  Corner_chart chart;
+  std::size_t cell = 0;              ///< which cell of the domain
+  bool along_blow_up = false;        ///< a factor that vanishes on the line between the two charts
+  std::vector<char> dropped;         ///< pieces that do not belong to the answer; may be empty
+  std::vector<char> is_pole;         ///< vertices where what the zero set stands for goes to infinity
+  std::vector<char> is_final;        ///< vertices where arcs end for good (at a corner that is blown up, on a diagonal)
+
+  bool is_dropped(std::size_t piece) const { return !dropped.empty() && dropped[piece]; }
+
+  /// Parameters of a vertex, local to the cell.
+  std::array<Interval, 2> local(std::size_t vertex) const { return chart(graph.vertices[vertex].at); }
+};
+
+/// Two sides of cells that are one line of the domain, across which the zero set goes on. The parameter along both is
+/// the same; the parameters may have changed places (`variable` says which one is fixed on either side).
+struct Glued_sides {
+  struct Side {
+    std::size_t cell = 0;
+    int variable = 0; ///< which is fixed on this side
+    int end = 0;      ///< at 0 or 1
+  };
+  Side a, b;
+};
+
+/// A place of the joined zero set, with the patches' vertices that are there.
+struct Patchwork_vertex {
+  struct Member {
+    std::size_t patch, vertex;
+  };
+  struct Piece_ref {
+    std::size_t patch, piece;
+  };
+  Graph_vertex::Kind kind = Graph_vertex::Kind::crossing;
+  bool is_final = false;  ///< of a member
+  bool is_pole = false;   ///< of a member
+  std::vector<Member> members;
+  std::vector<Piece_ref> half_branches; ///< in cyclic order, at nodes
+};
+
+struct Patchwork_arc {
+  struct Step {
+    std::size_t patch, piece;
+    bool reversed;
+  };
+  std::vector<Step> steps;
+  bool closed = false;
+  std::size_t source = 0, target = 0; ///< vertices of the patchwork
+};
+
+/// A zero set over a domain of several cells: the patches' graphs, joined across the sides that are glued.
+struct Patchwork {
+  std::vector<Patch> patches;
+  std::vector<Patchwork_vertex> vertices;
+  std::vector<Patchwork_arc> arcs;
+  /// Places where two sides do not agree, as it seems: patch and vertex.
+  std::vector<std::pair<Patchwork_vertex::Member, std::string>> undecided;
+};
+
+namespace detail {
+
+/// Joins patches by the order of the zeros on their common sides: those are the same zeros, seen from either side.
+class Patch_joiner {
+public:
+  Patch_joiner(std::vector<Patch> patches, const std::vector<Glued_sides>& glued) : glued_(glued)
+  {
+    work_.patches = std::move(patches);
+    for (const Glued_sides& g : glued) {
+      partner_[key(g.a)] = key(g.b);
+      partner_[key(g.b)] = key(g.a);
+    }
+  }
+
+  Patchwork run()
+  {
+    number_vertices();
+    note_sides();
+    for (const Glued_sides& g : glued_) match(g);
+    for (const auto& [cell, list] : seams_) unite_equal(list);
+    collect_classes();
+    for (Patchwork_vertex& v : work_.vertices) settle(v);
+    join();
+    return std::move(work_);
+  }
+
+private:
+  using Member = Patchwork_vertex::Member;
+  using Piece_ref = Patchwork_vertex::Piece_ref;
+  using Key = std::array<std::size_t, 3>; ///< cell, fixed variable, end
+
+  struct On_side {
+    Member member;
+    Interval along;
+  };
+  using Side_list = std::vector<On_side>;
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  const Patch& patch(const Member& m) const { return work_.patches[m.patch]; }
+  const Graph_vertex& vertex(const Member& m) const { return patch(m).graph.vertices[m.vertex]; }
+  std::size_t id(const Member& m) const { return first_[m.patch] + m.vertex; }
+  static bool is_exactly(const Interval& x, int end) { return x.inf() == end && x.sup() == end; }
+  static Key key(const Glued_sides::Side& s) { return {s.cell, static_cast<std::size_t>(s.variable), static_cast<std::size_t>(s.end)}; }
+
+  void number_vertices()
+  {
+    std::size_t n = 0;
+    for (const Patch& p : work_.patches) {
+      first_.push_back(n);
+      n += p.graph.vertices.size();
+      cells_.insert({p.cell, 0});
+    }
+    parent_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) parent_[i] = i;
+    incident_.resize(n);
+    for (std::size_t p = 0; p < work_.patches.size(); ++p) {
+      const auto& pieces = work_.patches[p].graph.pieces;
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        if (work_.patches[p].is_dropped(k)) continue;
+        incident_[first_[p] + pieces[k].from].push_back({p, k});
+        incident_[first_[p] + pieces[k].to].push_back({p, k});
+      }
+    }
+  }
+
+  std::size_t find(std::size_t i)
+  {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void unite(const Member& a, const Member& b) { parent_[find(id(a))] = find(id(b)); }
+
+  // -------------------------------------------------------------------------------------------------- sides
+
+  /// Lists the vertices on every side of every cell, and those on the line between two charts.
+  void note_sides()
+  {
+    for (std::size_t p = 0; p < work_.patches.size(); ++p) {
+      const Patch& patch = work_.patches[p];
+      for (std::size_t v = 0; v < patch.graph.vertices.size(); ++v) {
+        if (patch.is_final[v]) continue;
+        const std::array<Interval, 2> at = patch.local(v);
+        for (std::size_t k = 0; k < 2; ++k)
+          for (int end = 0; end < 2; ++end)
+            if (is_exactly(at[k], end)) sides_[Key{patch.cell, k, static_cast<std::size_t>(end)}].push_back({{p, v}, at[1 - k]});
+        note_seam({p, v}, at);
+      }
+    }
+    for (auto& [key, list] : sides_) sort_along(list);
+    for (auto& [cell, list] : seams_) sort_along(list);
+  }
+
+  void note_seam(const Member& m, const std::array<Interval, 2>& at)
+  {
+    const Patch& p = patch(m);
+    if (!p.chart.is_plain() && is_exactly(vertex(m).at[0], 1)) seams_[p.cell].push_back({m, vertex(m).at[1]});
+    if (p.along_blow_up) seams_[p.cell].push_back({m, p.chart.corner[1] == 1 ? Interval(1) - at[1] : at[1]});
+  }
+
+  static void sort_along(Side_list& list)
+  {
+    std::sort(list.begin(), list.end(), [](const On_side& a, const On_side& b) { return midpoint(a.along) < midpoint(b.along); });
+  }
+
+  /// Vertices of several graphs of one cell that are one place: their enclosures meet, and meet no others'.
+  void unite_equal(const Side_list& list)
+  {
+    for (std::size_t k = 0; k + 1 < list.size(); ++k)
+      if (overlap(list[k].along, list[k + 1].along) && list[k].member.patch != list[k + 1].member.patch)
+        unite(list[k].member, list[k + 1].member);
+  }
+
+  /// Groups of overlapping enclosures along a side.
+  static std::vector<Side_list> groups(const Side_list& list)
+  {
+    std::vector<Side_list> all;
+    for (const On_side& v : list) {
+      if (!all.empty() && overlap(all.back().back().along, v.along)) all.back().push_back(v);
+      else all.push_back({v});
+    }
+    return all;
+  }
+
+  void match(const Glued_sides& g)
+  {
+    const auto a = sides_.find(key(g.a)), b = sides_.find(key(g.b));
+    const Side_list empty;
+    const std::vector<Side_list> first = groups(a == sides_.end() ? empty : a->second), second = groups(b == sides_.end() ? empty : b->second);
+    std::size_t i = 0, j = 0;
+    while (i < first.size() || j < second.size()) {
+      if (j == second.size() || (i < first.size() && first[i].back().along.sup() < second[j].front().along.inf())) {
+        leave_unmatched(first[i++], g.b.cell);
+      } else if (i == first.size() || second[j].back().along.sup() < first[i].front().along.inf()) {
+        leave_unmatched(second[j++], g.a.cell);
+      } else {
+        match_groups(first[i++], second[j++]);
+      }
+    }
+  }
+
+  void match_groups(const Side_list& a, const Side_list& b)
+  {
+    if (a.size() == b.size()) {
+      for (std::size_t k = 0; k < a.size(); ++k) unite(a[k].member, b[k].member);
+      return;
+    }
+    // Several graphs of one cell (a factor solved apart) may have the same place.
+    if (a.size() == 1 || b.size() == 1) {
+      for (const On_side& x : a)
+        for (const On_side& y : b) unite(x.member, y.member);
+      return;
+    }
+    for (const On_side& x : a) work_.undecided.push_back({x.member, "zeros too close to be told apart where two pieces meet"});
+  }
+
+  /// Where the other side has no such zero, it has another factor: a component of it that is no arc ends there. No patch
+  /// at all on the other side means that the equation was proved to have no zero there.
+  void leave_unmatched(const Side_list& list, std::size_t other)
+  {
+    for (const On_side& v : list) {
+      if (cells_.count(other) == 0 && !incident_[id(v.member)].empty())
+        work_.undecided.push_back({v.member, "an arc ends where two pieces meet: their tangents agree within the tolerance only"});
+      ends_here_.insert({id(v.member), 0});
+    }
+  }
+
+  // ------------------------------------------------------------------------------------------------ classes
+
+  void collect_classes()
+  {
+    std::map<std::size_t, std::size_t> class_of;
+    for (std::size_t p = 0; p < work_.patches.size(); ++p)
+      for (std::size_t v = 0; v < work_.patches[p].graph.vertices.size(); ++v) {
+        const std::size_t root = find(first_[p] + v);
+        const auto [at, is_new] = class_of.insert({root, work_.vertices.size()});
+        if (is_new) work_.vertices.emplace_back();
+        work_.vertices[at->second].members.push_back({p, v});
+      }
+    class_.resize(parent_.size());
+    for (std::size_t i = 0; i < parent_.size(); ++i) class_[i] = class_of[find(i)];
+  }
+
+  std::size_t degree(const Patchwork_vertex& v) const
+  {
+    std::size_t n = 0;
+    for (const Member& m : v.members) n += incident_[id(m)].size();
+    return n;
+  }
+
+  /// On a side of its cell that is not glued.
+  bool is_on_boundary(const Member& m) const
+  {
+    const std::array<Interval, 2> at = patch(m).local(m.vertex);
+    for (std::size_t k = 0; k < 2; ++k)
+      for (int end = 0; end < 2; ++end)
+        if (is_exactly(at[k], end) && !is_glued({patch(m).cell, static_cast<int>(k), end})) return true;
+    return false;
+  }
+
+  bool is_glued(const Glued_sides::Side& s) const { return partner_.count(key(s)) != 0; }
+
+  void settle(Patchwork_vertex& v)
+  {
+    using Kind = Graph_vertex::Kind;
+    bool is_open = false, is_boundary = false, is_crossing_point = false, is_isolated = false;
+    for (const Member& m : v.members) {
+      const Graph_vertex& g = vertex(m);
+      is_open = is_open || g.kind == Kind::open;
+      is_isolated = is_isolated || g.kind == Kind::isolated;
+      v.is_final = v.is_final || patch(m).is_final[m.vertex];
+      v.is_pole = v.is_pole || patch(m).is_pole[m.vertex];
+      is_crossing_point = is_crossing_point || g.kind == Kind::node || g.kind == Kind::end;
+      is_boundary = is_boundary || ends_here_.count(id(m)) != 0 || is_on_boundary(m);
+    }
+    v.is_pole = v.is_pole && !v.is_final;
+    const std::size_t n = degree(v);
+    if (v.is_final) v.kind = Kind::boundary;
+    else if (n > 2 || (is_crossing_point && n == 2)) v.kind = Kind::node;
+    else if (v.is_pole) v.kind = Kind::mark;
+    else if (n == 0 && is_isolated) v.kind = Kind::isolated;
+    else if (n == 2 || n == 0) v.kind = Kind::crossing;
+    else if (is_crossing_point) v.kind = Kind::end;
+    else if (is_boundary) v.kind = Kind::boundary;
+    else v.kind = Kind::open;
+    if (v.kind == Kind::open && !is_open) work_.undecided.push_back({v.members[0], "an arc ends inside the domain"});
+    if (v.kind == Kind::node) order_half_branches(v);
+  }
+
+  // ------------------------------------------------------------------------------------------- cyclic order
+
+  /// A direction along a side, from a place on it.
+  struct Ray {
+    Key side{none, none, none};
+    bool ascending = true;
+
+    bool operator==(const Ray& other) const { return side == other.side && ascending == other.ascending; }
+  };
+
+  /// What one cell sees of a place: the half-branches counterclockwise between two rays.
+  struct Sector {
+    std::vector<Piece_ref> pieces;
+    std::optional<Ray> from, to; ///< none where the place is inside the cell
+  };
+
+  void order_half_branches(Patchwork_vertex& v)
+  {
+    std::vector<Sector> sectors;
+    std::vector<Member> axis;
+    for (const Member& m : v.members) {
+      if (patch(m).along_blow_up) axis.push_back(m);
+      else sectors.push_back(sector(m));
+    }
+    if (!axis.empty()) return order_around_axis(v, axis);
+    if (sectors.size() == 1) {
+      v.half_branches = sectors[0].pieces;
+      return;
+    }
+    walk(v, sectors);
+  }
+
+  void walk(Patchwork_vertex& v, const std::vector<Sector>& sectors)
+  {
+    std::vector<char> seen(sectors.size(), 0);
+    std::size_t k = first_sector(sectors);
+    bool forward = true;
+    while (k != none) {
+      seen[k] = 1;
+      const Sector& s = sectors[k];
+      if (forward) v.half_branches.insert(v.half_branches.end(), s.pieces.begin(), s.pieces.end());
+      else v.half_branches.insert(v.half_branches.end(), s.pieces.rbegin(), s.pieces.rend());
+      const std::optional<Ray> out = forward ? s.to : s.from;
+      k = none;
+      for (std::size_t next = 0; out && next < sectors.size() && k == none; ++next) {
+        if (seen[next]) continue;
+        for (const bool enters_forward : {true, false}) {
+          const std::optional<Ray>& in = enters_forward ? sectors[next].from : sectors[next].to;
+          if (!in || !are_one(*in, *out)) continue;
+          k = next;
+          forward = enters_forward;
+          break;
+        }
+      }
+    }
+    if (v.half_branches.size() != degree(v)) work_.undecided.push_back({v.members[0], "the cyclic order of branches on a knot line"});
+  }
+
+  /// A sector with which a walk begins that is not closed: nothing leads into it.
+  std::size_t first_sector(const std::vector<Sector>& sectors) const
+  {
+    for (std::size_t k = 0; k < sectors.size(); ++k) {
+      if (!sectors[k].from) continue;
+      bool has_neighbour = false;
+      for (std::size_t other = 0; other < sectors.size(); ++other)
+        for (const std::optional<Ray>& ray : {sectors[other].from, sectors[other].to})
+          has_neighbour = has_neighbour || (other != k && ray && are_one(*ray, *sectors[k].from));
+      if (!has_neighbour) return k;
+    }
+    return 0;
+  }
+
+  bool are_one(const Ray& a, const Ray& b) const
+  {
+    const auto partner = partner_.find(a.side);
+    return a.ascending == b.ascending && partner != partner_.end() && partner->second == b.side;
+  }
+
+  Sector sector(const Member& m)
+  {
+    const std::array<Interval, 2> at = patch(m).local(m.vertex);
+    Sector s;
+    s.pieces = ordered_pieces(m, at);
+    std::array<int, 2> end{-1, -1};
+    for (std::size_t k = 0; k < 2; ++k)
+      for (int e = 0; e < 2; ++e)
+        if (is_exactly(at[k], e)) end[k] = e;
+    const std::size_t cell = patch(m).cell;
+    const auto ray = [&](int variable, bool ascending) {
+      return Ray{Key{cell, static_cast<std::size_t>(variable), static_cast<std::size_t>(end[static_cast<std::size_t>(variable)])}, ascending};
+    };
+    if (end[0] >= 0 && end[1] >= 0) {
+      // A corner's sector lies counterclockwise from one side to the other.
+      const bool horizontal_first = end[0] == end[1];
+      s.from = horizontal_first ? ray(1, end[0] == 0) : ray(0, end[1] == 0);
+      s.to = horizontal_first ? ray(0, end[1] == 0) : ray(1, end[0] == 0);
+    } else if (end[0] >= 0) {
+      s.from = ray(0, end[0] == 1);
+      s.to = ray(0, end[0] == 0);
+    } else if (end[1] >= 0) {
+      s.from = ray(1, end[1] == 0);
+      s.to = ray(1, end[1] == 1);
+    }
+    return s;
+  }
+
+  /// Half-branches counterclockwise, as the local parameters see it.
+  std::vector<Piece_ref> ordered_pieces(const Member& m, const std::array<Interval, 2>& at)
+  {
+    const Graph_vertex& g = vertex(m);
+    std::vector<Piece_ref> pieces;
+    for (const std::size_t k : g.half_branches)
+      if (!patch(m).is_dropped(k)) pieces.push_back({m.patch, k});
+    if (pieces.empty()) pieces = incident_[id(m)];
+    else if (reverses(patch(m).chart)) std::reverse(pieces.begin(), pieces.end());
+    if (g.half_branches.empty() && pieces.size() == 2) order_two(m, at, pieces);
+    if (g.half_branches.empty() && pieces.size() > 2) work_.undecided.push_back({m, "the cyclic order of branches on a knot line"});
+    return pieces;
+  }
+
+  static bool reverses(const Corner_chart& chart)
+  {
+    if (chart.is_plain()) return false;
+    return (chart.kind == Corner_chart::Kind::second) != (chart.corner[0] != chart.corner[1]);
+  }
+
+  /// An arc that touches a side from within: its two halves lie on both sides of the place, along that side.
+  void order_two(const Member& m, const std::array<Interval, 2>& at, std::vector<Piece_ref>& pieces)
+  {
+    for (std::size_t k = 0; k < 2; ++k)
+      for (int end = 0; end < 2; ++end) {
+        if (!is_exactly(at[k], end)) continue;
+        const Interval a = far_end(m, pieces[0])[1 - k], b = far_end(m, pieces[1])[1 - k];
+        if (!(a.sup() < b.inf()) && !(b.sup() < a.inf())) continue;
+        // Counterclockwise is ascending where the side is left or the top, else descending.
+        const bool ascending = (k == 0) == (end == 0);
+        if ((a.sup() < b.inf()) != ascending) std::swap(pieces[0], pieces[1]);
+        return;
+      }
+    work_.undecided.push_back({m, "the cyclic order of branches on a knot line"});
+  }
+
+  std::array<Interval, 2> far_end(const Member& m, const Piece_ref& p) const
+  {
+    const Graph_piece& piece = work_.patches[p.patch].graph.pieces[p.piece];
+    return work_.patches[p.patch].local(piece.from == m.vertex ? piece.to : piece.from);
+  }
+
+  /// A factor along the line between two charts meets the other factor: its two halves and the charts' branches take turns.
+  void order_around_axis(Patchwork_vertex& v, const std::vector<Member>& axis)
+  {
+    std::vector<Piece_ref> outward, inward;
+    for (const Member& m : axis)
+      for (const Piece_ref& p : incident_[id(m)]) {
+        const auto here = patch(m).local(m.vertex)[1], there = far_end(m, p)[1];
+        const bool ascending = here.sup() < there.inf();
+        (ascending == (patch(m).chart.corner[1] == 0) ? outward : inward).push_back(p);
+      }
+    // Counterclockwise from the half that leads away from the corner: chart `second`, the other half, chart `first`.
+    v.half_branches = outward;
+    append_chart(v, Corner_chart::Kind::second);
+    v.half_branches.insert(v.half_branches.end(), inward.begin(), inward.end());
+    append_chart(v, Corner_chart::Kind::first);
+    if (outward.size() > 1 || inward.size() > 1 || v.half_branches.size() != degree(v))
+      work_.undecided.push_back({v.members[0], "the cyclic order of branches on an axis"});
+  }
+
+  void append_chart(Patchwork_vertex& v, Corner_chart::Kind kind) const
+  {
+    for (const Member& m : v.members)
+      if (patch(m).chart.kind == kind && !patch(m).along_blow_up)
+        v.half_branches.insert(v.half_branches.end(), incident_[id(m)].begin(), incident_[id(m)].end());
+  }
+
+  // --------------------------------------------------------------------------------------------------- arcs
+
+  void join()
+  {
+    std::vector<Arc_link> links;
+    std::vector<Piece_ref> piece_of;
+    for (std::size_t p = 0; p < work_.patches.size(); ++p) {
+      const auto& pieces = work_.patches[p].graph.pieces;
+      for (std::size_t k = 0; k < pieces.size(); ++k) {
+        if (work_.patches[p].is_dropped(k)) continue;
+        links.push_back({class_[first_[p] + pieces[k].from], class_[first_[p] + pieces[k].to]});
+        piece_of.push_back({p, k});
+      }
+    }
+    std::vector<char> through;
+    for (const Patchwork_vertex& v : work_.vertices) through.push_back(v.kind == Graph_vertex::Kind::crossing);
+    for (const Joined_arc& joined : join_links(links, through)) {
+      Patchwork_arc arc;
+      for (const auto& step : joined.steps) arc.steps.push_back({piece_of[step.link].patch, piece_of[step.link].piece, step.reversed});
+      arc.closed = joined.closed;
+      arc.source = joined.source;
+      arc.target = joined.target;
+      work_.arcs.push_back(std::move(arc));
+    }
+  }
+
+  const std::vector<Glued_sides>& glued_;
+  Patchwork work_;
+  std::vector<std::size_t> first_, parent_, class_;
+  std::vector<std::vector<Piece_ref>> incident_;
+  std::map<std::size_t, int> cells_, ends_here_;
+  std::map<Key, Key> partner_;
+  std::map<Key, Side_list> sides_;
+  std::map<std::size_t, Side_list> seams_;
+};
+
+} // namespace detail
+
+/// Joins the zero sets of one equation over the cells of a domain across the glued sides. Vertices inside a cell stay;
+/// on a glued side what arrives from both sides decides: two half-branches go on as one arc, none is an isolated
+/// point, more are a node. Cost: O(n log n) in the vertices.
+inline Patchwork join_patches(std::vector<Patch> patches, const std::vector<Glued_sides>& glued)
+{
+  return detail::Patch_joiner(std::move(patches), glued).run();
+}
+
+} // namespace locus
+
+#endif
