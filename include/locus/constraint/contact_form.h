@@ -53,7 +53,6 @@ inline std::optional<Contact_form> contact_on_diagonal(const F3_problem& p, bool
 inline std::optional<Contact_form> contact_form(const F3_problem& p)
 {
   if (!p.chart.is_plain()) return detail::contact_at_corner(p);
-  if (p.along_blow_up) return std::nullopt;
   if (p.is_self) return detail::contact_on_diagonal(p, false);
   for (const Degenerate_component& d : p.degenerate)
     if (d.kind == Degenerate_component::Kind::overlap) return detail::contact_on_diagonal(p, d.reversed);

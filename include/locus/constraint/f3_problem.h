@@ -40,7 +40,6 @@ struct F3_problem {
   std::shared_ptr<const Planar_curve> first, second;
   Corner_chart chart;
   bool is_self = false;       ///< both are one piece: only t > r is wanted
-  bool along_blow_up = false; ///< this is the axis through a corner that is blown up, solved apart
   System<1, 2> system;
   /// For mirror images with matching parameters: the axis t = r (or t + r = 1), a factor of F3 that `system` is then
   /// without. Both have the cause number 0 in common, their crossings.

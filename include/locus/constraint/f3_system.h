@@ -83,39 +83,31 @@ inline F3_problem on_chart(const F3_problem& plain, const Corner_chart& chart, b
   return p;
 }
 
-/// The values of an equation of a chart along the line between the charts, as an equation for the plain parameter r.
-inline std::shared_ptr<const Equation<2>> along_axis(const Equation<2>& f, const Corner_chart& chart)
+/// The values of an equation of a chart along the line between the charts, without multiple roots.
+inline std::shared_ptr<const Equation<2>> along_axis(const Equation<2>& f)
 {
-  const Bernstein<Scaled_integer, 1> on_edge = face(f.exact(), 0, true);
-  Integer_polynomial g = monomial_form(on_edge);
+  Integer_polynomial g = monomial_form(face(f.exact(), 0, true));
   g = exact_quotient(g, gcd(g, derivative(g)));
-  Bernstein<Rational, 1> simple = bernstein_form(g).rational();
-  if (chart.corner[1] == 1) {
-    std::vector<Rational> c(simple.coefficients().rbegin(), simple.coefficients().rend());
-    simple = Bernstein<Rational, 1>(Degrees<1>{simple.degree()}, std::move(c));
-  }
-  return std::make_shared<Polynomial_equation<2>>(as_bivariate(simple, 1));
+  return std::make_shared<Polynomial_equation<2>>(as_bivariate(bernstein_form(g).rational(), 1));
 }
 
 /// The axis through a blown-up corner, with its crossings of the other factor and its poles.
-inline F3_problem axis_through_corner(const F3_problem& on_first_chart, bool reversed)
+inline F3_problem axis_through_corner(const F3_problem& on_first_chart)
 {
   F3_problem p;
   p.first = on_first_chart.first;
   p.second = on_first_chart.second;
-  p.chart.corner = on_first_chart.chart.corner;
-  p.along_blow_up = true;
-  p.system.name = reversed ? "t + r = 1" : "t = r";
-  const auto line = std::make_shared<Polynomial_equation<2>>(diagonal(reversed));
+  p.chart = {Corner_chart::Kind::axis, on_first_chart.chart.corner};
+  p.system.name = "axis";
+  const auto line = std::make_shared<Polynomial_equation<2>>(Bernstein<Rational, 2>(Degrees<2>{1, 0}, {-1, 1}));
   p.system.equations[0] = line;
   const auto mark = [&](const char* name, F3_cause tag, const Equation<2>& f) {
     Cause<2> cause;
     cause.name = name;
-    cause.equations = {line, along_axis(f, on_first_chart.chart)};
+    cause.equations = {line, along_axis(f)};
     cause.proves = Claim_kind::isolated_box;
     cause.tag = tag_of(tag);
-    const int end = p.chart.corner[1];
-    cause.leave_out = [end](const Isolated_solution<2>& s) { return s.face[1] == end; };
+    cause.leave_out = on_chart_edges(false);
     return cause;
   };
   p.system.causes = {mark("the axis meets the other factor", F3_cause::axis, *on_first_chart.system.equations[0]),
@@ -176,7 +168,7 @@ inline std::vector<F3_problem> f3_corner_problems(std::shared_ptr<const Planar_c
   std::vector<F3_problem> problems;
   for (const auto kind : {Corner_chart::Kind::first, Corner_chart::Kind::second})
     problems.push_back(detail::on_chart(plain, Corner_chart{kind, corner}, has_axis));
-  if (has_axis) problems.push_back(detail::axis_through_corner(problems[0], reversed));
+  if (has_axis) problems.push_back(detail::axis_through_corner(problems[0]));
   problems[1].degenerate.clear(); // listed once
   return problems;
 }

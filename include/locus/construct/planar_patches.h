@@ -122,19 +122,19 @@ public:
 private:
   void solve(const F3_problem& problem, std::size_t i, std::size_t j)
   {
+    const bool is_axis = problem.chart.kind == Corner_chart::Kind::axis;
     Planar_patch planar_patch;
     planar_patch.piece = {i, j};
     planar_patch.domain = {first_.ranges[i], second_.ranges[j]};
     planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, std::nullopt);
     if (keeper_) keeper_->patch = planar_patch;
     Patch patch;
-    patch.graph = solve_f3(problem, remaining_control(), problem.along_blow_up ? nullptr : keeper_);
+    patch.graph = solve_f3(problem, remaining_control(), is_axis ? nullptr : keeper_);
     patch.chart = problem.chart;
     patch.cell = cell(i, j);
-    patch.along_blow_up = problem.along_blow_up;
     add(statistics, patch.graph.statistics);
     for (std::size_t v = 0; v < 2; ++v) degrees[v] = std::max(degrees[v], problem.degrees[v]);
-    has_axis = has_axis || problem.axis || problem.along_blow_up;
+    has_axis = has_axis || problem.axis || is_axis;
     note_degenerate(problem, patch, planar_patch);
     if (is_nothing(patch.graph) && problem.degenerate.empty()) return;
     mark_vertices(problem, patch);
@@ -197,8 +197,7 @@ private:
                            (is_exactly(at[1], end) && problem.second->is_infinite_at(end));
         patch.is_final[v] = patch.is_final[v] || (problem.is_self && is_exactly(at[0], end) && is_exactly(at[1], end));
       }
-      const bool is_blown_up = !problem.chart.is_plain() || problem.along_blow_up;
-      patch.is_final[v] = patch.is_final[v] || (is_blown_up && is_exactly(at[0], problem.chart.corner[0]) && is_exactly(at[1], problem.chart.corner[1]));
+      patch.is_final[v] = patch.is_final[v] || (!problem.chart.is_plain() && is_exactly(at[0], problem.chart.corner[0]) && is_exactly(at[1], problem.chart.corner[1]));
     }
   }
 

@@ -105,7 +105,7 @@ std::vector<T> combined_along(const std::vector<T>& in, const std::array<int, N>
   return out;
 }
 
-/// The polar form of `from`'s polynomial on the span around `where`, as a combination of control coefficients.
+/// The polar form of `from`'s polynomial on the span at `where`, as a combination of control coefficients.
 inline Combination polar_combination(const Knots& from, const Rational& where, const Rational* arguments)
 {
   const int span = from.span_of(where);
@@ -118,9 +118,8 @@ inline std::vector<Combination> change_of_knots(const Knots& from, const Knots& 
 {
   std::vector<Combination> rows;
   for (int i = 0; i < to.control_count(); ++i) {
-    const int span = middle_span(to, i);
-    const Rational inside = (to.value(span) + to.value(span + 1)) / 2;
-    rows.push_back(polar_combination(from, inside, to.values.data() + i + 1));
+    const Rational& where = to.value(middle_span(to, i));
+    rows.push_back(polar_combination(from, where, to.values.data() + i + 1));
   }
   return rows;
 }
@@ -184,8 +183,7 @@ void for_each_of_span(const std::array<int, N>& degrees, const std::array<int, N
 template <class T, int D>
 std::vector<Spline_span<T, D>> spans_between(Spline<T, D> f, const Break_array<D>& breaks)
 {
-  for (int k = 0; k < D; ++k)
-    f = on_knots(f, k, bernstein_knots(f.degree(k), breaks[static_cast<std::size_t>(k)]));
+  for (int k = 0; k < D; ++k) f = on_knots(f, k, bernstein_knots(f.degree(k), breaks[static_cast<std::size_t>(k)]));
   const Degrees<D> last = last_span<D>(breaks);
   std::vector<Spline_span<T, D>> spans;
   Degrees<D> cell{};

@@ -27,7 +27,7 @@ Break_array<D> breaks_of(const std::vector<Spline_span<T, D>>& spans)
     breaks[k].erase(std::unique(breaks[k].begin(), breaks[k].end()), breaks[k].end());
   }
   const Degrees<D> last = last_span<D>(breaks);
-  bool grid = *std::min_element(last.begin(), last.end()) >= 0 && coefficient_count(last) == spans.size();
+  bool grid = coefficient_count(last) == spans.size();
   Degrees<D> cell{};
   for (std::size_t n = 0; grid && n < spans.size(); ++n, advance_index(cell, last))
     for (std::size_t k = 0; k < cell.size(); ++k) {
@@ -66,9 +66,9 @@ Spline<T, D> side_by_side(const std::vector<Spline_span<T, D>>& spans, const Bre
   return Spline<T, D>(std::move(knots), std::move(coefficients));
 }
 
-/// The k for which two neighbouring spans of equal degrees are C^k across the face between them; `Knots::unlimited`
-/// where they are one polynomial. As many derivatives agree as leading coefficients of `above` and of `below` continued
-/// there.
+/// The k for which two neighbouring spans of equal degrees are C^k across the face between them: -1 for a jump, the
+/// degree where they are one polynomial. As many derivatives agree, the value counted as one, as there are equal leading
+/// coefficients of `above` and of `below` continued there.
 template <class T, int D>
 int continuity_between(const Spline_span<T, D>& below, const Spline_span<T, D>& above, int variable)
 {
@@ -83,7 +83,7 @@ int continuity_between(const Spline_span<T, D>& below, const Spline_span<T, D>& 
         const std::size_t at = (o * layout.count + j) * layout.inner + i;
         if (continued[at] != above.form[at]) agree = j;
       }
-  return agree == layout.count ? Knots::unlimited : static_cast<int>(agree) - 1;
+  return static_cast<int>(agree) - 1;
 }
 
 /// For each break between spans in one variable, the least continuity of all the joints there.
@@ -161,7 +161,6 @@ Spline<T, D> insert_knots(const Spline<T, D>& f, int variable, const std::vector
       throw std::invalid_argument("insert_knots: " + u.get_str() + " is not inside the domain");
     knots.values.insert(std::upper_bound(knots.values.begin(), knots.values.end(), u), u);
   }
-  require_valid(knots);
   return detail::on_knots(f, variable, knots);
 }
 
@@ -264,8 +263,9 @@ Spline<T, D> changed(const Spline<T, D>& f, int variable, int loss, Operation op
   for (Spline_span<T, D>& span : spans) span.form = operation(span);
   Knot_array<D> knots = f.knots();
   const Knots& old = f.knots(variable);
+  const int degree = spans.front().form.degree(variable);
   knots[static_cast<std::size_t>(variable)] =
-    knots_over(spans.front().form.degree(variable), old.breaks(), [&](const Rational& u) { return old.continuity(u) - loss; });
+    knots_over(degree, old.breaks(), [&](const Rational& u) { return old.continuity(u) - loss; });
   return spline_from_spans(spans, knots);
 }
 

@@ -20,11 +20,11 @@ struct Patch {
   Curve_graph graph;
   Corner_chart chart;
   std::size_t cell = 0;              ///< which cell of the domain
-  bool along_blow_up = false;        ///< a factor that vanishes on the line between the two charts
   std::vector<char> dropped;         ///< pieces that do not belong to the answer; may be empty
   std::vector<char> is_pole;         ///< vertices where what the zero set stands for goes to infinity
   std::vector<char> is_final;        ///< vertices where arcs end for good (at a corner that is blown up, on a diagonal)
 
+  bool is_axis() const { return chart.kind == Corner_chart::Kind::axis; }
   bool is_dropped(std::size_t piece) const { return !dropped.empty() && dropped[piece]; }
 
   /// Parameters of a vertex, local to the cell.
@@ -162,18 +162,17 @@ private:
         for (std::size_t k = 0; k < 2; ++k)
           for (int end = 0; end < 2; ++end)
             if (is_exactly(at[k], end)) sides_[Key{patch.cell, k, static_cast<std::size_t>(end)}].push_back({{p, v}, at[1 - k]});
-        note_seam({p, v}, at);
+        note_seam({p, v});
       }
     }
     for (auto& [key, list] : sides_) sort_along(list);
     for (auto& [cell, list] : seams_) sort_along(list);
   }
 
-  void note_seam(const Member& m, const std::array<Interval, 2>& at)
+  void note_seam(const Member& m)
   {
     const Patch& p = patch(m);
-    if (!p.chart.is_plain() && is_exactly(vertex(m).at[0], 1)) seams_[p.cell].push_back({m, vertex(m).at[1]});
-    if (p.along_blow_up) seams_[p.cell].push_back({m, p.chart.corner[1] == 1 ? Interval(1) - at[1] : at[1]});
+    if (p.is_axis() || (!p.chart.is_plain() && is_exactly(vertex(m).at[0], 1))) seams_[p.cell].push_back({m, vertex(m).at[1]});
   }
 
   static void sort_along(Side_list& list)
@@ -326,7 +325,7 @@ private:
     std::vector<Sector> sectors;
     std::vector<Member> axis;
     for (const Member& m : v.members) {
-      if (patch(m).along_blow_up) axis.push_back(m);
+      if (patch(m).is_axis()) axis.push_back(m);
       else sectors.push_back(sector(m));
     }
     if (!axis.empty()) return order_around_axis(v, axis);
@@ -459,9 +458,9 @@ private:
     std::vector<Piece_ref> outward, inward;
     for (const Member& m : axis)
       for (const Piece_ref& p : incident_[id(m)]) {
-        const auto here = patch(m).local(m.vertex)[1], there = far_end(m, p)[1];
-        const bool ascending = here.sup() < there.inf();
-        (ascending == (patch(m).chart.corner[1] == 0) ? outward : inward).push_back(p);
+        const Graph_piece& piece = patch(m).graph.pieces[p.piece];
+        const Interval there = patch(m).graph.vertices[piece.from == m.vertex ? piece.to : piece.from].at[1];
+        (vertex(m).at[1].sup() < there.inf() ? outward : inward).push_back(p);
       }
     // Counterclockwise from the half that leads away from the corner: chart `second`, the other half, chart `first`.
     v.half_branches = outward;
@@ -475,7 +474,7 @@ private:
   void append_chart(Patchwork_vertex& v, Corner_chart::Kind kind) const
   {
     for (const Member& m : v.members)
-      if (patch(m).chart.kind == kind && !patch(m).along_blow_up)
+      if (patch(m).chart.kind == kind)
         v.half_branches.insert(v.half_branches.end(), incident_[id(m)].begin(), incident_[id(m)].end());
   }
 
