@@ -118,8 +118,8 @@ Spline<Rational, D> random_spline(Random& random, Ends ends, int highest_degree,
   std::size_t count = 1;
   for (Knots& k : knots) {
     const int degree = random.between(0, highest_degree);
-    k = random_knots(random, degree, random.between(1, most_spans), random.chance(30) ? degree + 1 : std::max(1, degree - 1),
-                     ends);
+    k = random_knots(random, degree, random.between(1, most_spans),
+                     random.chance(30) ? degree + 1 : std::max(1, degree - 1), ends);
     count *= static_cast<std::size_t>(k.control_count());
   }
   std::vector<Rational> coefficients;
@@ -139,7 +139,8 @@ template <int D>
 Point<D> random_point(Random& random)
 {
   Point<D> p;
-  for (Rational& x : p) x = random.chance(40) ? Rational(Rational(random.between(-6, 12)) / 6) : 3 * random.unit_rational() - 1;
+  for (Rational& x : p)
+    x = random.chance(40) ? Rational(Rational(random.between(-6, 12)) / 6) : 3 * random.unit_rational() - 1;
   return p;
 }
 
@@ -264,6 +265,9 @@ TEST_CASE("knots and coefficients that make no spline are refused with the reaso
   CHECK_FALSE(refused(0, {0, 1}));
   CHECK_THROWS_WITH(locus::require_valid(Knots{1, {0, 0, 2, 1, 3, 3}}), "Knots: value 1 follows the greater 2");
 
+  CHECK_THROWS_WITH(locus::require_valid(Knots{1, {0, 0, 1}}), "Knots: degree 1 needs at least 4 values, not 3");
+
+  CHECK_THROWS_AS(spline(1, {0, 0, 2, 1, 3, 3}, {1, 2, 3, 4}), std::invalid_argument);
   CHECK_THROWS_AS(spline(1, {0, 0, 1, 1}, {1}), std::invalid_argument);
   CHECK_THROWS_AS(spline(1, {0, 0, 1, 1}, {1, 2, 3}), std::invalid_argument);
   CHECK_THROWS_AS(spline(2, {0, 0, 1, 1}, {1, 2}), std::invalid_argument);
@@ -485,6 +489,10 @@ TEST_CASE("knots are inserted inside the domain only, and at most degree + 1 tim
   CHECK_THROWS_AS(locus::insert_knots(f, 0, {-1}), std::invalid_argument);
   CHECK_THROWS_AS(locus::insert_knots(f, 0, {1}), std::invalid_argument);
   CHECK_THROWS_AS(locus::insert_knots(f, 0, {Rational(1, 2), 3}), std::invalid_argument);
+  const auto unclamped = spline(1, {-2, -1, 1, 2}, {0, 1});
+  CHECK(locus::insert_knots(unclamped, 0, {0}).coefficients() == std::vector<Rational>{0, Rational(1, 2), 1});
+  CHECK_THROWS_AS(locus::insert_knots(unclamped, 0, {-1}), std::invalid_argument);
+  CHECK_THROWS_AS(locus::insert_knots(unclamped, 0, {1}), std::invalid_argument);
 }
 
 TEST_CASE("clamping, restricting and reparametrising keep the values", "[spline][exact]")
@@ -517,9 +525,10 @@ TEST_CASE("clamping, restricting and reparametrising keep the values", "[spline]
     }
   });
   LOCUS_REQUIRE_SAMPLES(samples, 1900);
-  CHECK_THROWS_AS(locus::restrict_to(identity(), 0, 0, 0), std::invalid_argument);
   CHECK_THROWS_AS(locus::restrict_to(identity(), 0, 0, 2), std::invalid_argument);
-  CHECK_THROWS_AS(locus::restrict_to(identity(), 0, -2, 0), std::invalid_argument);
+  CHECK_THROWS_WITH(locus::restrict_to(identity(), 0, 0, 2), "restrict_to: [0, 2] is no part of the domain");
+  CHECK_THROWS_WITH(locus::restrict_to(identity(), 0, 0, 0), "restrict_to: [0, 0] is no part of the domain");
+  CHECK_THROWS_WITH(locus::restrict_to(identity(), 0, -2, 0), "restrict_to: [-2, 0] is no part of the domain");
 }
 
 namespace {
@@ -622,12 +631,20 @@ TEST_CASE("in two variables the least smooth joint across a break decides", "[sp
   CHECK(f.knots(0).values == std::vector<Rational>{0, 0, 0, 1, 1, 2, 2, 2});
   CHECK(f.knots(1).values == std::vector<Rational>{0, 1, 2});
   CHECK(plain_value<2>(f, {Rational(3, 2), Rational(1, 2)}) == Rational(9, 4));
+  // The same with the kink for y in [0,1].
+  const std::vector<Spline_span<Rational, 2>> mirrored{cell(0, 0, {0, 0, 1}), cell(0, 1, {0, 0, 1}),
+                                                       cell(1, 0, {1, 1, 2}), cell(1, 1, {1, 2, 4})};
+  CHECK(locus::spline_from_spans(mirrored).knots(0).values == std::vector<Rational>{0, 0, 0, 1, 1, 2, 2, 2});
   // With x² everywhere no knot is left.
   const auto g = locus::spline_from_spans<Rational, 2>(
     {cell(0, 0, {0, 0, 1}), cell(0, 1, {0, 0, 1}), cell(1, 0, {1, 2, 4}), cell(1, 1, {1, 2, 4})});
   CHECK(g.knots(0).values == std::vector<Rational>{0, 0, 0, 2, 2, 2});
   CHECK(g.knots(1).values == std::vector<Rational>{0, 2});
   CHECK(g.coefficients() == std::vector<Rational>{0, 0, 4});
+  // One cell of the grid is missing.
+  const std::vector<Spline_span<Rational, 2>> three{spans[0], spans[1], spans[2]};
+  CHECK_THROWS_AS(locus::spline_from_spans(three), std::invalid_argument);
+  CHECK_THROWS_WITH(locus::spline_from_spans(three), "spline_from_spans: the spans do not fill a grid in order");
 }
 
 TEST_CASE("spans of unlike degrees are raised; spans that fill no grid are refused", "[spline]")
@@ -636,7 +653,9 @@ TEST_CASE("spans of unlike degrees are raised; spans that fill no grid are refus
     const int n = static_cast<int>(c.size()) - 1;
     return Spline_span<Rational, 1>{{lo}, {hi}, Bernstein<Rational, 1>(Degrees<1>{n}, std::move(c))};
   };
-  const auto from = [](std::vector<Spline_span<Rational, 1>> spans) { return locus::spline_from_spans(std::move(spans)); };
+  const auto from = [](std::vector<Spline_span<Rational, 1>> spans) {
+    return locus::spline_from_spans(std::move(spans));
+  };
   const auto f = from({span(0, 1, {3}), span(1, 2, {3, 3, 4}), span(2, 4, {4, 8})});
   CHECK(f.degree() == 2);
   CHECK(f.knots(0).values == std::vector<Rational>{0, 0, 0, 1, 2, 4, 4, 4}); // slopes 0, 0 to 2, 2
@@ -652,6 +671,7 @@ TEST_CASE("spans of unlike degrees are raised; spans that fill no grid are refus
   CHECK(refused({span(0, 1, {1}), span(0, 1, {1})}));
   CHECK(refused({span(0, 0, {1})}));
   CHECK(refused({span(0, 2, {1}), span(1, 3, {1})}));
+  CHECK(refused({span(1, 1, {1}), span(0, 2, {1})}));
   const auto on = [&](Knots knots) { return locus::spline_from_spans<Rational, 1>({span(0, 1, {1, 2})}, {knots}); };
   CHECK(on({1, {0, 0, 1, 1}}).coefficients() == std::vector<Rational>{1, 2});
   CHECK(on({2, {0, 0, 0, 1, 1, 1}}).coefficients() == std::vector<Rational>{1, Rational(3, 2), 2});
@@ -661,6 +681,7 @@ TEST_CASE("spans of unlike degrees are raised; spans that fill no grid are refus
   CHECK_THROWS_AS(on({1, {0, 0, 2, 2}}), std::invalid_argument);
   CHECK_THROWS_AS(on({1, {-1, -1, 1, 1}}), std::invalid_argument);
   CHECK_THROWS_AS(on({1, {0, 1}}), std::invalid_argument);
+  CHECK_THROWS_AS(on({1, {}}), std::invalid_argument);
 }
 
 // ------------------------------------------------------------------------------------------------------------- algebra
@@ -724,6 +745,13 @@ TEST_CASE("splines over different domains are not combined", "[spline]")
   CHECK_THROWS_AS(locus::subtract(f, h), std::invalid_argument);
   CHECK_THROWS_AS(locus::multiply(h, g), std::invalid_argument);
   CHECK_THROWS_AS(locus::divide_exactly(f, h), std::invalid_argument);
+  const auto longer = spline(1, {0, 0, 2, 2}, {0, 1});
+  for (const auto& other : {h, longer}) {
+    CHECK_THROWS_WITH(locus::add(other, g), "splines of different domains cannot be combined");
+    CHECK_THROWS_WITH(locus::add(g, other), "splines of different domains cannot be combined");
+  }
+  CHECK_THROWS_WITH(locus::add(f, h), "splines of different domains cannot be combined");
+  CHECK_THROWS_WITH(locus::add(h, f), "splines of different domains cannot be combined");
 }
 
 TEST_CASE("elevation keeps the values and the continuity", "[spline][exact]")
@@ -779,7 +807,8 @@ TEST_CASE("the derivative is that of differences of coefficients", "[spline][exa
     expect("degree", g.degree(v) == std::max(0, f.degree(v) - 1));
     bool knots = true;
     for (const Rational& u : f.knots(v).breaks())
-      knots = knots && (u == -1 || u == 2 || g.knots(v).multiplicity(u) == std::min(g.degree(v) + 1, f.knots(v).multiplicity(u)));
+      knots = knots && (u == -1 || u == 2 ||
+                        g.knots(v).multiplicity(u) == std::min(g.degree(v) + 1, f.knots(v).multiplicity(u)));
     expect("knots", knots);
     for (int i = 0; i < 4; ++i) {
       const auto p = point_between_breaks<std::decay_t<decltype(f)>::dimension>(random);
@@ -812,7 +841,8 @@ TEST_CASE("a product divided by one factor is the other, on its least knots", "[
     }
     expect("quotient", same(locus::divide_exactly(product, g), locus::minimal_knots(f)));
     const auto raised = locus::elevate(product, random.below(f.dimension), 1);
-    expect("higher degree of the divisor", thrown<std::domain_error>([&] { locus::divide_exactly(product, raised); }) == 1);
+    expect("higher degree of the divisor",
+           thrown<std::domain_error>([&] { locus::divide_exactly(product, raised); }) == 1);
   });
   LOCUS_REQUIRE_SAMPLES(samples, 180);
 }
