@@ -669,6 +669,8 @@ TEST_CASE("spans of unlike degrees are raised; spans that fill no grid are refus
   CHECK(refused({span(0, 1, {1}), span(2, 3, {1})}));
   CHECK(refused({span(1, 2, {1}), span(0, 1, {1})}));
   CHECK(refused({span(0, 1, {1}), span(0, 1, {1})}));
+  CHECK_THROWS_WITH(from({span(0, 1, {1}), span(0, 1, {1})}),
+                    "spline_from_spans: the spans do not fill a grid in order");
   CHECK(refused({span(0, 0, {1})}));
   CHECK(refused({span(0, 2, {1}), span(1, 3, {1})}));
   CHECK(refused({span(1, 1, {1}), span(0, 2, {1})}));
@@ -746,7 +748,7 @@ TEST_CASE("splines over different domains are not combined", "[spline]")
   CHECK_THROWS_AS(locus::multiply(h, g), std::invalid_argument);
   CHECK_THROWS_AS(locus::divide_exactly(f, h), std::invalid_argument);
   const auto longer = spline(1, {0, 0, 2, 2}, {0, 1});
-  for (const auto& other : {h, longer}) {
+  for (const auto& other : {f, h, longer}) {
     CHECK_THROWS_WITH(locus::add(other, g), "splines of different domains cannot be combined");
     CHECK_THROWS_WITH(locus::add(g, other), "splines of different domains cannot be combined");
   }
