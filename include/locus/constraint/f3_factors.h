@@ -141,6 +141,20 @@ inline void split_off_axis(F3_problem& p, const Bernstein<Scaled_integer, 2>& re
   p.system.causes = {crossing, meeting, bitangent};
 }
 
+/// The curves meet all along an overlap; only what is left of the causes can explain other points.
+inline void divide_causes_by_diagonal(F3_problem& p, bool reversed)
+{
+  std::vector<Diagonal_quotient> rest;
+  for (Cause<2>& cause : p.system.causes)
+    for (auto& equation : cause.equations) {
+      rest.push_back(equation->exact().is_zero() ? Diagonal_quotient{equation->exact(), 0} : divided_by_diagonal(equation->exact(), reversed));
+      equation = std::make_shared<Polynomial_equation<2>>(rest.back().rest);
+    }
+  // The equations of both causes: both coordinates of e, Im(e ā), Im(e b̄).
+  if (rest[0].multiplicity == 1 && rest[1].multiplicity == 1 && rest[2].multiplicity == 2)
+    p.contact = Contact_form{{std::move(rest[0].rest), std::move(rest[1].rest)}, std::move(rest[2].rest), 0};
+}
+
 /// Mirror images with matching parameters have the axis t = r (or t + r = 1) as a factor of F3, and the other factor
 /// crosses it in nodes; equal curves have its fourth power, which is the curves' overlap.
 /// `overlaps` says which of the two is looked for: overlaps come first, for an axis may remain beside one.
@@ -163,11 +177,7 @@ inline void divide_out_diagonal(F3_problem& p, bool reversed, bool overlaps)
   p.degenerate.push_back(d);
   for (int k = 0; k < multiplicity; ++k) note_known_factor(p, diagonal(reversed));
   replace_equation(p, rest);
-  // The curves meet all along the overlap; only what is left of the causes can explain other points.
-  for (Cause<2>& cause : p.system.causes)
-    for (auto& equation : cause.equations)
-      if (!equation->exact().is_zero())
-        equation = std::make_shared<Polynomial_equation<2>>(divided_by_diagonal(equation->exact(), reversed).rest);
+  divide_causes_by_diagonal(p, reversed);
 }
 
 } // namespace detail

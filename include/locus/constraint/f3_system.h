@@ -58,28 +58,39 @@ inline void leave_out_mirror_half(Cause<2>& cause)
   };
 }
 
-/// An equation on a chart, divided by the distance from the corner as often as that goes.
-inline std::shared_ptr<const Equation<2>> blown_up(const Equation<2>& f, const Corner_chart& chart)
-{
-  return std::make_shared<Polynomial_equation<2>>(Corner_expansion(f.exact(), chart.corner).on(chart.kind));
-}
-
 /// A solution on the edge that stands for the corner, or on an axis between the charts, belongs to neither chart.
 inline std::function<bool(const Isolated_solution<2>&)> on_chart_edges(bool axis_too)
 {
   return [axis_too](const Isolated_solution<2>& s) { return s.face[1] == 0 || (axis_too && s.face[0] == 1); };
 }
 
-/// One chart of a problem whose corner is blown up.
-inline F3_problem on_chart(const F3_problem& plain, const Corner_chart& chart, bool has_axis)
+/// A problem's polynomials in powers of the distances from a corner: F3, both coordinates of e, Im(e ā), Im(e b̄).
+struct Corner_forms {
+  Corner_expansion f;
+  std::array<Corner_expansion, 2> chord, turn;
+};
+
+inline std::optional<Contact_form> contact_at_corner(const Corner_forms& forms, Corner_chart::Kind kind)
+{
+  const int chord_order = std::min(forms.chord[0].order(), forms.chord[1].order()), power = 2 * chord_order - forms.turn[0].order();
+  if (forms.turn[0].is_zero() || power < 0) return std::nullopt;
+  return Contact_form{{forms.chord[0].on(kind, chord_order), forms.chord[1].on(kind, chord_order)}, forms.turn[0].on(kind), power};
+}
+
+/// One chart of a problem whose corner is blown up. Every equation is divided by the distance from the corner as often
+/// as that goes.
+inline F3_problem on_chart(const F3_problem& plain, const Corner_forms& forms, const Corner_chart& chart, bool has_axis)
 {
   F3_problem p = plain;
   p.chart = chart;
-  p.system.equations[0] = blown_up(*plain.system.equations[0], chart);
-  for (Cause<2>& cause : p.system.causes) {
-    for (auto& equation : cause.equations) equation = blown_up(*equation, chart);
-    cause.leave_out = on_chart_edges(has_axis);
+  const auto equation = [&](const Corner_expansion& f) { return std::make_shared<Polynomial_equation<2>>(f.on(chart.kind)); };
+  p.system.equations[0] = equation(forms.f);
+  for (std::size_t c = 0; c < 2; ++c) {
+    const auto& pair = c == 0 ? forms.chord : forms.turn;
+    p.system.causes[c].equations = {equation(pair[0]), equation(pair[1])};
+    p.system.causes[c].leave_out = on_chart_edges(has_axis);
   }
+  p.contact = contact_at_corner(forms, chart.kind);
   return p;
 }
 
@@ -92,7 +103,7 @@ inline std::shared_ptr<const Equation<2>> along_axis(const Equation<2>& f)
 }
 
 /// The axis through a blown-up corner, with its crossings of the other factor and its poles.
-inline F3_problem axis_through_corner(const F3_problem& on_first_chart)
+inline F3_problem axis_through_corner(const F3_problem& on_first_chart, const Corner_forms& forms)
 {
   F3_problem p;
   p.first = on_first_chart.first;
@@ -113,6 +124,7 @@ inline F3_problem axis_through_corner(const F3_problem& on_first_chart)
   p.system.causes = {mark("the axis meets the other factor", F3_cause::axis, *on_first_chart.system.equations[0]),
                      mark("common tangent line on the axis", F3_cause::pole, *on_first_chart.system.causes[1].equations[0])};
   p.degrees = {1, 1};
+  p.contact = contact_at_corner(forms, Corner_chart::Kind::axis);
   return p;
 }
 
@@ -151,24 +163,28 @@ inline F3_problem f3_self_problem(const std::shared_ptr<const Planar_curve>& pie
 }
 
 /// The problems that together cover two pieces which share an end with one tangent there: two charts of the blown-up
-/// corner, and the axis of symmetry through it, if there is one.
+/// corner, and the axis of symmetry through it, if there is one. Pieces that overlap leave one plain problem.
 inline std::vector<F3_problem> f3_corner_problems(std::shared_ptr<const Planar_curve> first, std::shared_ptr<const Planar_curve> second,
                                                   const std::array<int, 2>& corner)
 {
   F3_problem plain = detail::undivided_f3_problem(std::move(first), std::move(second));
-  if (plain.system.equations[0]->exact().is_zero()) return {plain};
-  const bool reversed = corner[0] != corner[1];
-  detail::divide_out_diagonal(plain, reversed, true);
-  bool has_axis = false;
-  if (auto [rest, multiplicity] = detail::divided_by_diagonal(plain.system.equations[0]->exact(), reversed); multiplicity == 1) {
-    has_axis = true;
-    detail::replace_equation(plain, std::move(rest));
-  }
-  plain.degrees = plain.system.equations[0]->degrees();
+  const bool as_built = plain.system.known_factors.empty() && !plain.first->is_circle() && !plain.second->is_circle();
+  Scaled_form f = as_built ? detail::scaled_form<F3_form>(*plain.first, *plain.second) : Scaled_form(plain.system.equations[0]->exact());
+  if (f.is_zero()) return {plain};
+  const int multiplicity = detail::divide_by_diagonal(f, corner[0] != corner[1]);
+  if (multiplicity > 1) return {f3_problem(plain.first, plain.second)};
+  const bool has_axis = multiplicity == 1;
+  plain.degrees = {f.degree(0), f.degree(1)};
+  const auto expansion = [&](Scaled_form g) { return Corner_expansion(std::move(g), corner); };
+  const auto of_cause = [&](std::size_t cause, std::size_t k) { return expansion(Scaled_form(plain.system.causes[cause].equations[k]->exact())); };
+  const detail::Corner_forms forms{expansion(std::move(f)),
+                                   {expansion(detail::scaled_form<Difference_form<false>>(*plain.first, *plain.second)),
+                                    expansion(detail::scaled_form<Difference_form<true>>(*plain.first, *plain.second))},
+                                   {of_cause(1, 0), of_cause(1, 1)}};
   std::vector<F3_problem> problems;
   for (const auto kind : {Corner_chart::Kind::first, Corner_chart::Kind::second})
-    problems.push_back(detail::on_chart(plain, Corner_chart{kind, corner}, has_axis));
-  if (has_axis) problems.push_back(detail::axis_through_corner(problems[0]));
+    problems.push_back(detail::on_chart(plain, forms, Corner_chart{kind, corner}, has_axis));
+  if (has_axis) problems.push_back(detail::axis_through_corner(problems[0], forms));
   problems[1].degenerate.clear(); // listed once
   return problems;
 }

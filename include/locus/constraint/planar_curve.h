@@ -6,6 +6,8 @@
 #include <locus/shape/carrier.h>
 #include <locus/shape/frame.h>
 
+#include <mutex>
+
 namespace locus {
 
 /// A planar curve piece in complex notation, p = X + iY, as the constraints need it, over a ring T in the scaled
@@ -109,6 +111,24 @@ public:
     return c;
   }
 
+  /// The same over the integers: numerator and weight times one positive factor, the tangent times another. Made on demand
+  /// and kept; without a circle's centre.
+  const Complex_curve<Integer>& integer() const
+  {
+    make_integer();
+    return integer_;
+  }
+  const Rational& integer_point_factor() const
+  {
+    make_integer();
+    return point_factor_;
+  }
+  const Rational& integer_tangent_factor() const
+  {
+    make_integer();
+    return tangent_factor_;
+  }
+
   /// Zeros of the right degrees, from which a form's degrees follow.
   Complex_curve<double> degrees_only() const
   {
@@ -185,11 +205,44 @@ private:
                                   std::to_string(Rational((root.lo + root.hi) / 2).get_d()) + ")");
   }
 
+  void make_integer() const
+  {
+    std::call_once(integer_once_, [this] {
+      const auto cleared = [](std::initializer_list<const Bernstein<Rational, 1>*> functions, Rational& factor) {
+        Integer d = 1;
+        for (const auto* f : functions)
+          for (const Rational& x : f->coefficients())
+            if (x.get_den() != 1) d = lcm(d, x.get_den());
+        factor = d;
+        std::vector<std::vector<Integer>> out;
+        for (const auto* f : functions) {
+          out.emplace_back();
+          for (std::size_t i = 0; i < f->size(); ++i) {
+            Integer c = d;
+            mpz_divexact(c.get_mpz_t(), c.get_mpz_t(), (*f)[i].get_den_mpz_t());
+            c *= (*f)[i].get_num();
+            c *= binomial<Integer>(f->degree(), static_cast<int>(i));
+            out.back().push_back(std::move(c));
+          }
+        }
+        return out;
+      };
+      auto point = cleared({&numerator_[0], &numerator_[1], &weight_}, point_factor_);
+      auto tangent = cleared({&tangent_[0], &tangent_[1]}, tangent_factor_);
+      integer_.point = {std::move(point[0]), std::move(point[1])};
+      integer_.weight = real_polynomial(std::move(point[2]));
+      integer_.tangent = {std::move(tangent[0]), std::move(tangent[1])};
+    });
+  }
+
   Carrier carrier_;
   std::array<Bernstein<Rational, 1>, 2> numerator_, tangent_;
   Bernstein<Rational, 1> weight_;
   std::array<Bernstein<Interval, 1>, 2> numerator_enclosure_, tangent_enclosure_;
   Bernstein<Interval, 1> weight_enclosure_;
+  mutable std::once_flag integer_once_;
+  mutable Complex_curve<Integer> integer_;
+  mutable Rational point_factor_ = 1, tangent_factor_ = 1;
 };
 
 } // namespace locus

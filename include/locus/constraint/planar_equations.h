@@ -3,6 +3,7 @@
 #define LOCUS_CONSTRAINT_PLANAR_EQUATIONS_H
 
 #include <locus/constraint/planar_curve.h>
+#include <locus/function/scaled_basis.h>
 #include <locus/zero_set/system.h>
 
 #include <memory>
@@ -19,6 +20,8 @@ namespace locus {
 /// w² divides the triple; it is left out: z̄, ρ²w + c·z̄, ρ²z + 2cρ²w + c²z̄.
 struct F3_form {
   static constexpr const char* name = "F3";
+  static constexpr bool uses_circles = true;
+  static constexpr std::array<int, 2> point_degree{2, 2}, tangent_degree{1, 1};
 
   template <class T>
   static std::array<Complex_polynomial<T>, 3> triple(const Complex_curve<T>& c)
@@ -28,11 +31,11 @@ struct F3_form {
       const Complex_polynomial<T> pa = multiply(c.point, conjugate_tangent);
       return {multiply(c.weight, wa), multiply(c.point, wa), multiply(c.point, pa)};
     }
-    const Complex_polynomial<T> zc = conjugate(c.centre_to_point), r2w = multiply(c.weight, c.squared_radius, T(0));
+    const Complex_polynomial<T> zc = conjugate(c.centre_to_point), r2w = multiply(c.weight, c.squared_radius);
     const Complex_polynomial<T> first = combine(r2w, multiply(zc, c.centre[0], c.centre[1]), 1);
     // ρ²z + 2cρ²w + c²z̄ = ρ²z + cρ²w + c·first
     const Complex_polynomial<T> second =
-      combine(combine(multiply(c.centre_to_point, c.squared_radius, T(0)), multiply(r2w, c.centre[0], c.centre[1]), 1),
+      combine(combine(multiply(c.centre_to_point, c.squared_radius), multiply(r2w, c.centre[0], c.centre[1]), 1),
               multiply(first, c.centre[0], c.centre[1]), 1);
     // ā = -i·k·z̄, and the real factor k is left out.
     std::array<Complex_polynomial<T>, 3> result{zc, first, second};
@@ -45,7 +48,7 @@ struct F3_form {
   {
     auto t = triple(c1);
     auto s = triple(c2);
-    return {{{multiply(t[2], T(-1), T(0)), s[0]}, {multiply(t[1], T(2), T(0)), s[1]}, {multiply(t[0], T(-1), T(0)), s[2]}}, true};
+    return {{{multiply(t[2], T(-1)), s[0]}, {multiply(t[1], T(2)), s[1]}, {multiply(t[0], T(-1)), s[2]}}, true};
   }
 };
 
@@ -53,41 +56,49 @@ struct F3_form {
 template <bool Imaginary>
 struct Difference_form {
   static constexpr const char* name = Imaginary ? "Im(C1 - C2)" : "Re(C1 - C2)";
+  static constexpr bool uses_circles = false;
+  static constexpr std::array<int, 2> point_degree{1, 1}, tangent_degree{0, 0};
 
   template <class T>
   static Separable_sum<T> build(const Complex_curve<T>& c1, const Complex_curve<T>& c2)
   {
-    return {{{c1.point, c2.weight}, {multiply(c1.weight, T(-1), T(0)), c2.point}}, Imaginary};
+    return {{{c1.point, c2.weight}, {multiply(c1.weight, T(-1)), c2.point}}, Imaginary};
   }
 };
 
 /// Im(e ā): vanishes where the second foot lies on the first curve's tangent line.
 struct First_tangent_form {
   static constexpr const char* name = "Im(e conj a)";
+  static constexpr bool uses_circles = false;
+  static constexpr std::array<int, 2> point_degree{1, 1}, tangent_degree{1, 0};
 
   template <class T>
   static Separable_sum<T> build(const Complex_curve<T>& c1, const Complex_curve<T>& c2)
   {
     const Complex_polynomial<T> a = conjugate(c1.tangent);
-    return {{{multiply(c1.point, a), c2.weight}, {multiply(multiply(c1.weight, a), T(-1), T(0)), c2.point}}, true};
+    return {{{multiply(c1.point, a), c2.weight}, {multiply(multiply(c1.weight, a), T(-1)), c2.point}}, true};
   }
 };
 
 /// Im(e b̄): vanishes where the first foot lies on the second curve's tangent line.
 struct Second_tangent_form {
   static constexpr const char* name = "Im(e conj b)";
+  static constexpr bool uses_circles = false;
+  static constexpr std::array<int, 2> point_degree{1, 1}, tangent_degree{0, 1};
 
   template <class T>
   static Separable_sum<T> build(const Complex_curve<T>& c1, const Complex_curve<T>& c2)
   {
     const Complex_polynomial<T> b = conjugate(c2.tangent);
-    return {{{c1.point, multiply(c2.weight, b)}, {multiply(c1.weight, T(-1), T(0)), multiply(c2.point, b)}}, true};
+    return {{{c1.point, multiply(c2.weight, b)}, {multiply(c1.weight, T(-1)), multiply(c2.point, b)}}, true};
   }
 };
 
 /// W = Im(ā b) = [D1 D̂1]: vanishes where the tangents are parallel.
 struct Parallel_tangents_form {
   static constexpr const char* name = "W";
+  static constexpr bool uses_circles = false;
+  static constexpr std::array<int, 2> point_degree{0, 0}, tangent_degree{1, 1};
 
   template <class T>
   static Separable_sum<T> build(const Complex_curve<T>& c1, const Complex_curve<T>& c2)
@@ -98,29 +109,20 @@ struct Parallel_tangents_form {
 
 namespace detail {
 
-/// Clears the fractions of numerator and weight together: homogeneous coordinates may be scaled.
-inline Complex_curve<Integer> over_integers(const Complex_curve<Rational>& c)
+/// A form's exact coefficients, for curves of which no circle's carrier is used (`Form::uses_circles`).
+/// `Form::point_degree` and `Form::tangent_degree` say how often each curve's point and tangent occur in it.
+template <class Form>
+Scaled_form scaled_form(const Planar_curve& first, const Planar_curve& second)
 {
-  const auto clear = [](std::initializer_list<const std::vector<Rational>*> arrays) {
-    Integer d = 1;
-    for (const auto* a : arrays)
-      for (const Rational& x : *a) d = lcm(d, x.get_den());
-    return d;
+  Rational factor = 1;
+  const auto times = [&](const Rational& x, int power) {
+    for (int k = 0; k < power && x != 1; ++k) factor *= x;
   };
-  const auto times = [](const std::vector<Rational>& a, const Integer& d) {
-    std::vector<Integer> out;
-    for (const Rational& x : a) {
-      const Rational y = x * d;
-      out.push_back(y.get_num());
-    }
-    return out;
-  };
-  const Integer d = clear({&c.point.re, &c.point.im, &c.weight.re}), e = clear({&c.tangent.re, &c.tangent.im});
-  Complex_curve<Integer> r;
-  r.point = {times(c.point.re, d), times(c.point.im, d)};
-  r.weight = real_polynomial(times(c.weight.re, d));
-  r.tangent = {times(c.tangent.re, e), times(c.tangent.im, e)};
-  return r;
+  times(first.integer_point_factor(), Form::point_degree[0]);
+  times(second.integer_point_factor(), Form::point_degree[1]);
+  times(first.integer_tangent_factor(), Form::tangent_degree[0]);
+  times(second.integer_tangent_factor(), Form::tangent_degree[1]);
+  return {expand(Form::build(first.integer(), second.integer()), false), Rational(1 / factor)};
 }
 
 } // namespace detail
@@ -154,11 +156,10 @@ public:
   const Bernstein<Scaled_integer, 2>& exact() const override
   {
     std::call_once(once_, [&] {
-      const Complex_curve<Rational> c1 = first_->exact(), c2 = second_->exact();
-      if (c1.is_circle || c2.is_circle)
-        exact_ = Bernstein<Scaled_integer, 2>(expand(Form::build(c1, c2)));
+      if (Form::uses_circles && (first_->is_circle() || second_->is_circle()))
+        exact_ = Bernstein<Scaled_integer, 2>(expand(Form::build(first_->exact(), second_->exact())));
       else
-        exact_ = Bernstein<Scaled_integer, 2>(expand(Form::build(detail::over_integers(c1), detail::over_integers(c2))), 1);
+        exact_ = detail::scaled_form<Form>(*first_, *second_).bernstein();
       exact_.normalize();
     });
     return exact_;

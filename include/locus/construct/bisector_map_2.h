@@ -2,7 +2,7 @@
 #ifndef LOCUS_CONSTRUCT_BISECTOR_MAP_2_H
 #define LOCUS_CONSTRUCT_BISECTOR_MAP_2_H
 
-#include <locus/constraint/contact_form.h>
+#include <locus/constraint/f3_problem.h>
 #include <locus/construct/curve_evaluator.h>
 #include <locus/function/enclosed_surface.h>
 
@@ -22,9 +22,11 @@ enum class Map_formula : unsigned char {
 class Enclosed_function_2 {
 public:
   Enclosed_function_2() = default;
-  explicit Enclosed_function_2(const Bernstein<Rational, 2>& g)
+  explicit Enclosed_function_2(const Bernstein<Scaled_integer, 2>& g)
   {
-    const Bernstein<Bounded, 2> f = bounded(converted<Interval>(g, [](const Rational& c) { return enclosing(c); }));
+    const Interval scale = enclosing(g.scale());
+    const Bernstein<Bounded, 2> f =
+      bounded(converted<Interval>(g.values(), [&](const Integer& c) { return enclosing_scaled(c, 0) * scale; }));
     const Bernstein<Bounded, 2> f0 = derivative(f, 0), f1 = derivative(f, 1);
     norm_ = f.norm();
     f_ = Enclosed_surface(f);

@@ -140,8 +140,8 @@ private:
     mark_vertices(problem, patch);
     if (problem.is_self) drop_mirror_half(patch);
     if (!patch.graph.pieces.empty() || !patch.graph.vertices.empty())
-      if (auto contact = contact_form(problem))
-        planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, contact);
+      if (problem.contact)
+        planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, problem.contact);
     patches.push_back(std::move(patch));
     planar.push_back(std::move(planar_patch));
   }

@@ -19,12 +19,25 @@ struct Complex_polynomial {
 
 namespace detail {
 
+/// c += a·b, or c -= a·b, without temporaries.
+template <class T>
+void add_product(T& c, const T& a, const T& b, bool minus = false)
+{
+  if constexpr (std::is_same_v<T, Integer>) {
+    if (minus) mpz_submul(c.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+    else mpz_addmul(c.get_mpz_t(), a.get_mpz_t(), b.get_mpz_t());
+  } else {
+    if (minus) c -= a * b;
+    else c += a * b;
+  }
+}
+
 template <class T>
 std::vector<T> convolved(const std::vector<T>& a, const std::vector<T>& b)
 {
   std::vector<T> c(a.size() + b.size() - 1, T(0));
   for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j) c[i + j] += a[i] * b[j];
+    for (std::size_t j = 0; j < b.size(); ++j) add_product(c[i + j], a[i], b[j]);
   return c;
 }
 
@@ -66,7 +79,7 @@ Complex_polynomial<T> multiply(const Complex_polynomial<T>& f, const Complex_pol
 template <class T>
 Complex_polynomial<T> elevate(const Complex_polynomial<T>& f, int by)
 {
-  if (by == 0) return f;
+  if (by <= 0) return f;
   std::vector<T> ones;
   for (int i = 0; i <= by; ++i) ones.push_back(binomial<T>(by, i));
   return multiply(f, real_polynomial(std::move(ones)));
@@ -82,6 +95,15 @@ Complex_polynomial<T> combine(const Complex_polynomial<T>& f, const Complex_poly
   detail::add_to(sum.re, other.re, sign);
   if (!other.is_real()) detail::add_to(sum.im, other.im, sign);
   return sum;
+}
+
+/// f times a real number.
+template <class T>
+Complex_polynomial<T> multiply(Complex_polynomial<T> f, const T& x)
+{
+  for (std::vector<T>* part : {&f.re, &f.im})
+    for (T& c : *part) c *= x;
+  return f;
 }
 
 /// f times the complex number x + iy.
@@ -126,23 +148,22 @@ inline void unscale(std::vector<Integer>& c)
 
 } // namespace detail
 
-/// Bernstein form of a separable sum; for integers up to a positive factor.
+/// Coefficients of a separable sum in the scaled basis, or (`to_bernstein`) in the Bernstein basis; the latter for
+/// integers up to a positive factor.
 template <class T>
-Bernstein<T, 2> expand(Separable_sum<T> sum)
+Bernstein<T, 2> expand(const Separable_sum<T>& sum, bool to_bernstein = true)
 {
   const Degrees<2> degrees = sum.degrees();
   Bernstein<T, 2> f(degrees);
-  for (auto& [a, b] : sum.terms) {
+  for (const auto& [a, b] : sum.terms) {
     Complex_polynomial<T> ta = elevate(a, degrees[0] - a.degree()), tb = elevate(b, degrees[1] - b.degree());
     for (auto* c : {&ta.re, &ta.im, &tb.re, &tb.im})
-      if (!c->empty()) detail::unscale(*c);
+      if (to_bernstein && !c->empty()) detail::unscale(*c);
     const auto add_product = [&](const std::vector<T>& x, const std::vector<T>& y, bool minus) {
       if (x.empty() || y.empty()) return;
       for (std::size_t i = 0; i < x.size(); ++i) {
         T* row = f.data() + i * y.size();
-        for (std::size_t j = 0; j < y.size(); ++j)
-          if (minus) row[j] -= x[i] * y[j];
-          else row[j] += x[i] * y[j];
+        for (std::size_t j = 0; j < y.size(); ++j) detail::add_product(row[j], x[i], y[j], minus);
       }
     };
     if (sum.imaginary) {

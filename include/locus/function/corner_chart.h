@@ -34,12 +34,14 @@ struct Corner_chart {
 /// Powers of the distances from a corner: coefficients of τ^i ρ^j, exact. Made once for both charts. O(n³) additions.
 class Corner_expansion {
 public:
-  Corner_expansion(const Bernstein<Scaled_integer, 2>& f, const std::array<int, 2>& corner) : powers_(detail::to_scaled_basis(f)), scale_(f.scale())
+  Corner_expansion(Scaled_form f, const std::array<int, 2>& corner)
   {
     for (int v = 0; v < 2; ++v) {
-      if (corner[static_cast<std::size_t>(v)] == 1) powers_ = detail::reversed_along(powers_, v);
-      detail::shift_basis(powers_, v, true);
+      if (corner[static_cast<std::size_t>(v)] == 1) f.reverse(v);
+      detail::shift_basis(f.c, v, true);
     }
+    powers_ = std::move(f.c);
+    scale_ = std::move(f.scale);
     const int n = powers_.degree(0), m = powers_.degree(1);
     order_ = n + m + 1;
     for (int i = 0; i <= n; ++i)
@@ -62,7 +64,8 @@ public:
       for (int j = 0; j <= m; ++j)
         if (powers_.at({i, j}) != 0) g.at({first ? i : j, i + j - by}) = powers_.at({i, j});
     for (int v = 0; v < 2; ++v) detail::shift_basis(g, v, false);
-    Bernstein<Scaled_integer, 2> f = detail::from_scaled_basis(std::move(g), scale_);
+    Bernstein<Scaled_integer, 2> f = Scaled_form(std::move(g), scale_).bernstein();
+    f.normalize();
     return chart == Corner_chart::Kind::axis ? restrict_to(f, 0, Rational(0), Rational(2)) : f;
   }
 

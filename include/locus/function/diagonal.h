@@ -55,26 +55,36 @@ inline std::optional<Bernstein<Integer, 2>> divide_by_diagonal_once(const Bernst
   return g;
 }
 
+/// Divides t - r (or t + r - 1) out of a nonzero polynomial as often as it goes, but at most `limit` times; returns how
+/// often.
+inline int divide_by_diagonal(Scaled_form& f, bool reversed, int limit = std::numeric_limits<int>::max())
+{
+  const int n = f.degree(0), m = f.degree(1);
+  if (f.c.at({0, reversed ? m : 0}) != 0 || f.c.at({n, reversed ? 0 : m}) != 0) return 0; // the line's ends
+  if (reversed) f.reverse(1);
+  int multiplicity = 0;
+  for (; multiplicity < limit; ++multiplicity) {
+    auto quotient = divide_by_diagonal_once(f.c);
+    if (!quotient) break;
+    f.c = std::move(*quotient);
+  }
+  if (reversed) f.reverse(1);
+  return multiplicity;
+}
+
 struct Diagonal_quotient {
   Bernstein<Scaled_integer, 2> rest;
   int multiplicity = 0;
 };
 
-/// Divides t - r (or t + r - 1) out of a polynomial as often as it goes, but at most `limit` times.
+/// The same for the Bernstein form.
 inline Diagonal_quotient divided_by_diagonal(const Bernstein<Scaled_integer, 2>& f, bool reversed,
                                              int limit = std::numeric_limits<int>::max())
 {
-  Bernstein<Integer, 2> rest = to_scaled_basis(f);
-  if (reversed) rest = reversed_along(rest, 1);
-  int multiplicity = 0;
-  for (; multiplicity < limit; ++multiplicity) {
-    auto quotient = divide_by_diagonal_once(rest);
-    if (!quotient) break;
-    rest = std::move(*quotient);
-  }
+  Scaled_form rest(f);
+  const int multiplicity = divide_by_diagonal(rest, reversed, limit);
   if (multiplicity == 0) return {f, 0};
-  if (reversed) rest = reversed_along(rest, 1);
-  return {from_scaled_basis(std::move(rest), f.scale()), multiplicity};
+  return {std::move(rest).bernstein(), multiplicity};
 }
 
 } // namespace detail

@@ -54,6 +54,8 @@ private:
 
   /// A solution's enclosure is narrowed at least to this part of the unit cell.
   static constexpr double largest_enclosure = 0x1p-30;
+  /// Below this, further steps would only move the last bits.
+  static constexpr double finest_enclosure = 0x1p-47;
   using Matrix = std::array<std::array<Interval, 2>, 2>;
   using Point = std::array<Interval, 2>;
 
@@ -194,7 +196,7 @@ private:
         smaller = smaller || next.hi[v] - next.lo[v] < 0.97 * (box.hi[v] - box.lo[v]);
       }
       proved = proved || inner;
-      if (!smaller || next.width(0) <= 0 || next.width(1) <= 0) {
+      if (!smaller || (proved && next.max_width() < finest_enclosure)) {
         // Slow contraction of a box that is still large says nothing yet: the caller cuts the cell.
         if (!proved || next.max_width() > largest_enclosure) return std::nullopt;
         Isolated_point p;
