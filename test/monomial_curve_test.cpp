@@ -203,6 +203,9 @@ TEST_CASE("curves that close through infinity")
   REQUIRE(folium.chain().is_closed());
   CHECK(same_joint(folium.chain().joints.back(), {Joint_kind::corner, 0, false}));
   CHECK(complaint([&] { monomial_curve<2>(loop, w, from(1), true); }).substr(0, 8) == ".closed ");
+  // Tangents agree, and even first derivatives by u at 0 and by -1/u at infinity: that is no continuity of a derivative.
+  const Curve_2 drop = monomial_curve<2>({{{0, 1, 0, -1}, {0, 0, 1}}}, {1, 4, 6, 4, 1}, from(0), true);
+  CHECK(same_joint(drop.chain().joints.back(), {Joint_kind::g1, 0, false}));
 }
 
 TEST_CASE("poles split the domain")
@@ -305,6 +308,13 @@ TEST_CASE("cusps at rational parameters, on every kind of piece")
   // Rational: the cusp of (u², u³) seen through the projective map with the weight 1 + u².
   const Curve_2 rational = monomial_curve<2>({{{0, 0, 1}, {0, 0, 0, 1}}}, {1, 0, 1}, between(-1, 2));
   CHECK(kind_at(rational, 0) == Joint_kind::corner);
+  // Moved away from the origin, so that the numerators' own derivatives do not vanish.
+  const Polynomial bent{1, 1, 1};
+  const Curve_2 away = monomial_curve<2>({{plus({0, 0, 1}, times({5}, bent)), plus({0, 0, 0, 1}, times({-2}, bent))}}, bent,
+                                         between(-1, 2));
+  CHECK(away.pieces().size() == 2);
+  CHECK(kind_at(away, 0) == Joint_kind::corner);
+  CHECK(joints_are_true(away));
   // An irrational cusp stays inside its piece.
   CHECK(monomial_curve<2>({{{0, -6, 0, 1}, {0, 0, -3, 0, Rational(1, 4) * 2}}}, {}, between(0, 2)).pieces().size() == 1);
   // Cusp and pole in one curve.

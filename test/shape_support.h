@@ -77,7 +77,8 @@ bool passes(const Rational_curve<Dim>& c, const Rational& u, const Exact_point<D
   return true;
 }
 
-/// Do ranges follow each other without a gap, infinity only at the ends, joints fit in number, and weights stay positive?
+/// Do ranges follow each other without a gap, infinity only at the ends, joints fit in number, forms in degree, and are
+/// weights positive?
 template <int Dim>
 bool is_well_formed(const Rational_curve<Dim>& c)
 {
@@ -86,12 +87,16 @@ bool is_well_formed(const Rational_curve<Dim>& c)
   if (c.pieces().size() != n || (c.chain().joints.size() != n && c.chain().joints.size() + 1 != n)) return false;
   for (std::size_t k = 0; k < n; ++k) {
     const Piece& p = ranges[k];
+    const Curve_piece<Dim>& piece = c.pieces()[k];
+    for (const auto& x : piece.numerator)
+      if (x.degree() != piece.degree()) return false;
+    if (piece.weight.degree() != 0 && piece.weight.degree() != piece.degree()) return false;
     if (p.lo_infinite && (k > 0 || p.hi >= 0 || p.hi_infinite)) return false;
     if (p.hi_infinite && (k + 1 < n || p.lo <= 0)) return false;
     if (p.is_finite() && p.lo >= p.hi) return false;
     if (k > 0 && ranges[k - 1].hi != p.lo) return false;
     for (int i = 1; i < 8; ++i)
-      if (plain_value<1>(c.pieces()[k].weight, {Rational(i) / 8}) <= 0) return false;
+      if (plain_value<1>(piece.weight, {Rational(i) / 8}) <= 0) return false;
   }
   return true;
 }

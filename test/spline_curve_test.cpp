@@ -569,7 +569,8 @@ TEST_CASE("edited curves keep their points and their joints")
     samples.expect(same_joints(back, anew(back)), [&] { return "joints of reversed " + n.shown(); });
 
     const auto higher = elevated(c, 2);
-    samples.expect(same_points(c, higher, random, same) && higher.pieces()[0].degree() == c.pieces()[0].degree() + 2,
+    samples.expect(is_well_formed(higher) && same_points(c, higher, random, same), [&] { return "elevated " + n.shown(); });
+    samples.expect(higher.pieces()[0].degree() == c.pieces()[0].degree() + 2,
                    [&] { return "elevated " + n.shown(); });
     samples.expect(same_joints(higher, c) && same_joints(higher, anew(higher)),
       [&] { return "joints of elevated " + n.shown(); });
@@ -645,6 +646,10 @@ TEST_CASE("edits that cannot be")
   CHECK(holds(complaint([&] { reparametrised(c, {0, 1, 1, -2}); }), "pole at 2"));
   CHECK(holds(complaint([&] { reparametrised(c, {0, 1, 2, -1}); }), "pole at 1/2"));
   CHECK(with_inserted_knot(c, 1).pieces().size() == 2);
+  // A polynomial piece of too high a degree would get a common factor.
+  const Curve_2 higher = elevated(polyline_2({{0, 0}, {2, 1}}), 2);
+  CHECK(higher.pieces()[0].degree() == 3);
+  CHECK(reparametrised(higher, {1, 0, 1, 1}).pieces()[0].degree() == 1);
   std::vector<Curve_piece<2>> pieces = c.pieces();
   std::swap(pieces[0], pieces[1]);
   CHECK(holds(complaint([&] { joined_curve(pieces, c.chain().pieces, false); }), ".pieces[1] | does not start where"));

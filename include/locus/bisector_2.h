@@ -5,6 +5,7 @@
 /// Bisectors of curves in the plane: constructors of curves and `untrimmed_bisector`.
 
 #include <locus/construct/untrimmed_bisector_2.h>
-#include <locus/shape/rational_curve.h>
+#include <locus/shape/constructors_2.h>
+#include <locus/shape/edit_curve.h>
 
 #endif

@@ -163,8 +163,8 @@ inline void require_no_pole(const Moebius_map& map, const Chain& chain)
 
 } // namespace detail
 
-/// The same curve with the parameter v = (a·u + b)/(c·u + d): parameter values are mapped, points and degrees stay, and
-/// polynomial pieces become rational ones unless c = 0. A decreasing map (a·d < b·c) reverses the curve. A piece towards
+/// The same curve with the parameter v = (a·u + b)/(c·u + d): parameter values are mapped, points stay, and polynomial
+/// pieces become rational ones unless c = 0. Degrees stay, but for degrees higher than a polynomial piece needs. A decreasing map (a·d < b·c) reverses the curve. A piece towards
 /// infinity is cut first where its image must be; an infinite end goes to a/c, or stays infinite if c = 0. Orders of
 /// continuity stay, but for the seam's, whose sides are mapped apart: that is found out anew.
 /// Throws Invalid_input for a·d = b·c, or if c·u + d vanishes on the domain.

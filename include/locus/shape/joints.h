@@ -123,12 +123,11 @@ Joint joint_of(const Curve_germ<Dim>& left, const Curve_germ<Dim>& right, bool c
   return joint;
 }
 
-/// Do two germs start from one point? Two points at infinity do: the curve passes through a pole.
+/// Do two germs start from one point? Two points at infinity count as one: the curve passes through a pole.
 template <int Dim>
 bool meet(const Curve_germ<Dim>& left, const Curve_germ<Dim>& right)
 {
   if ((left.weight[0] == 0) != (right.weight[0] == 0)) return false;
-  if (left.weight[0] == 0) return true;
   for (std::size_t v = 0; v < left.numerator.size(); ++v)
     if (left.numerator[v][0] * right.weight[0] != right.numerator[v][0] * left.weight[0]) return false;
   return true;

@@ -2,7 +2,6 @@
 #ifndef LOCUS_SHAPE_SPLINE_CURVE_H
 #define LOCUS_SHAPE_SPLINE_CURVE_H
 
-#include <locus/function/spline.h>
 #include <locus/shape/cusps.h>
 #include <locus/shape/knot_rules.h>
 
@@ -17,31 +16,45 @@ inline std::string named_span(const Knots& knots, const Rational& lo)
   return "between knots[" + std::to_string(above - 1) + "] and knots[" + std::to_string(above) + "]";
 }
 
+/// Rows of the matrix that takes the control coefficients that act on a span of positive length to the Bernstein ones:
+/// values of the polar form with j arguments at the span's end and the others at its start. Shared by all coordinates.
+inline std::vector<std::vector<Rational>> span_matrix(const Knots& knots, int span)
+{
+  std::vector<Rational> arguments(static_cast<std::size_t>(knots.degree), knots.value(span));
+  std::vector<std::vector<Rational>> rows{polar_weights(knots, span, arguments.data())};
+  for (Rational& x : arguments) {
+    x = knots.value(span + 1);
+    rows.push_back(polar_weights(knots, span, arguments.data()));
+  }
+  return rows;
+}
+
 /// The Bézier pieces of a spline, as homogeneous forms, and their ranges. No weights: polynomial pieces.
 template <int Dim>
 void extract_pieces(const Knots& knots, const std::vector<Exact_point<Dim>>& points, const std::vector<Rational>& weights,
                     std::vector<Curve_piece<Dim>>& pieces, std::vector<Piece>& ranges)
 {
-  const auto spans_of = [&](std::vector<Rational> coefficients) {
-    return bezier_spans(Spline<Rational, 1>(Knot_array<1>{knots}, std::move(coefficients)));
-  };
-  for (std::size_t v = 0; v < static_cast<std::size_t>(Dim); ++v) {
-    std::vector<Rational> coefficients;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      coefficients.push_back(weights.empty() ? points[i][v] : Rational(points[i][v] * weights[i]));
-    const auto spans = spans_of(std::move(coefficients));
-    pieces.resize(spans.size());
-    for (std::size_t k = 0; k < spans.size(); ++k) {
-      pieces[k].numerator[v] = spans[k].form;
-      if (v == 0) ranges.push_back(finite_range(spans[k].lo[0], spans[k].hi[0]));
-    }
+  const Degrees<1> degrees{knots.degree};
+  for (int span = knots.degree; span < knots.control_count(); ++span) {
+    if (knots.value(span) == knots.value(span + 1)) continue;
+    const auto matrix = span_matrix(knots, span);
+    const auto first = static_cast<std::size_t>(span - knots.degree);
+    // `coefficient(i)` is that of control point i.
+    const auto form = [&](auto coefficient) {
+      Bernstein<Rational, 1> f(degrees);
+      for (std::size_t j = 0; j < f.size(); ++j)
+        for (std::size_t i = 0; i < f.size(); ++i) f[j] += matrix[j][i] * coefficient(first + i);
+      return f;
+    };
+    Curve_piece<Dim> piece;
+    for (std::size_t v = 0; v < piece.numerator.size(); ++v)
+      piece.numerator[v] =
+        form([&](std::size_t i) { return weights.empty() ? points[i][v] : Rational(points[i][v] * weights[i]); });
+    piece.weight = weights.empty() ? Bernstein<Rational, 1>(Degrees<1>{0}, {Rational(1)})
+                                   : form([&](std::size_t i) { return weights[i]; });
+    pieces.push_back(std::move(piece));
+    ranges.push_back(finite_range(knots.value(span), knots.value(span + 1)));
   }
-  if (weights.empty()) {
-    for (auto& piece : pieces) piece.weight = Bernstein<Rational, 1>(Degrees<1>{0}, {Rational(1)});
-    return;
-  }
-  const auto spans = spans_of(weights);
-  for (std::size_t k = 0; k < spans.size(); ++k) pieces[k].weight = spans[k].form;
 }
 
 /// Throws Invalid_input where the weight of a span vanishes: names a weight that is not positive.
