@@ -152,7 +152,7 @@ inline void divide_causes_by_diagonal(F3_problem& p, bool reversed)
     }
   // The equations of both causes: both coordinates of e, Im(e ā), Im(e b̄).
   if (rest[0].multiplicity == 1 && rest[1].multiplicity == 1 && rest[2].multiplicity == 2)
-    p.contact = Contact_form{{std::move(rest[0].rest), std::move(rest[1].rest)}, std::move(rest[2].rest), 0};
+    p.contact = Contact_form{{std::move(rest[0].rest), std::move(rest[1].rest)}, std::move(rest[2].rest), {0, 0}};
 }
 
 /// Mirror images with matching parameters have the axis t = r (or t + r = 1) as a factor of F3, and the other factor

@@ -36,12 +36,12 @@ enum class F3_cause : int {
 constexpr int tag_of(F3_cause c) { return static_cast<int>(c); }
 
 /// What gives the bisector point where the two feet come together, on the diagonal of a self-bisector or at a blown-up
-/// corner: with δ = t - r or the distance from the corner, e = δ^k·chord and Im(e ā) = δ^l·turn. The point lies at
+/// corner: with δ = t - r, or a chart's coordinates, e = δ^k·chord and Im(e ā) = δ^l·turn. The point lies at
 /// -|e|²/(2 w1 w2 Im(e ā)) times iā from the first foot. Both vanish with δ; chord and turn do not, unless the curvature does.
 struct Contact_form {
   std::array<Bernstein<Scaled_integer, 2>, 2> chord;
   Bernstein<Scaled_integer, 2> turn;
-  int power = 0; ///< 2k - l: |e|²/Im(e ā) = δ^power·|chord|²/turn; other than zero on charts only
+  std::array<int, 2> power{0, 0}; ///< 2k - l: |e|²/Im(e ā) = δ^power·|chord|²/turn; other than zero on charts only
 };
 
 /// The bisector of two planar curve pieces as a system in their parameters, or in a chart of them.

@@ -58,10 +58,19 @@ inline void leave_out_mirror_half(Cause<2>& cause)
   };
 }
 
-/// A solution on the edge that stands for the corner, or on an axis between the charts, belongs to neither chart.
-inline std::function<bool(const Isolated_solution<2>&)> on_chart_edges(bool axis_too)
+/// A solution on an edge that stands for the corner, or on the axis between two charts, belongs to neither chart.
+inline std::function<bool(const Isolated_solution<2>&)> on_chart_edges(const Corner_chart& chart, bool has_axis)
 {
-  return [axis_too](const Isolated_solution<2>& s) { return s.face[1] == 0 || (axis_too && s.face[0] == 1); };
+  std::array<bool, 2> at_zero{}, at_one{};
+  for (std::size_t v = 0; v < 2; ++v) {
+    at_zero[v] = chart.exponent[0][v] > 0 && chart.exponent[1][v] > 0; // both distances vanish
+    at_one[v] = has_axis && chart.ray(v) == std::array<int, 2>{1, 1};
+  }
+  return [at_zero, at_one](const Isolated_solution<2>& s) {
+    for (std::size_t v = 0; v < 2; ++v)
+      if ((s.face[v] == 0 && at_zero[v]) || (s.face[v] == 1 && at_one[v])) return true;
+    return false;
+  };
 }
 
 /// A problem's polynomials in powers of the distances from a corner: F3, both coordinates of e, Im(e ā), Im(e b̄).
@@ -70,28 +79,43 @@ struct Corner_forms {
   std::array<Corner_expansion, 2> chord, turn;
 };
 
-inline std::optional<Contact_form> contact_at_corner(const Corner_forms& forms, Corner_chart::Kind kind)
+inline std::optional<Contact_form> contact_at_corner(const Corner_forms& forms, const Corner_chart& chart)
 {
-  const int chord_order = std::min(forms.chord[0].order(), forms.chord[1].order()), power = 2 * chord_order - forms.turn[0].order();
-  if (forms.turn[0].is_zero() || power < 0) return std::nullopt;
-  return Contact_form{{forms.chord[0].on(kind, chord_order), forms.chord[1].on(kind, chord_order)}, forms.turn[0].on(kind), power};
+  if (forms.turn[0].is_zero() || (forms.chord[0].is_zero() && forms.chord[1].is_zero())) return std::nullopt;
+  const std::array<int, 2> x = forms.chord[0].order_on(chart), y = forms.chord[1].order_on(chart), turn = forms.turn[0].order_on(chart);
+  std::array<int, 2> chord{}, power{};
+  for (std::size_t v = 0; v < 2; ++v) {
+    chord[v] = forms.chord[0].is_zero() ? y[v] : forms.chord[1].is_zero() ? x[v] : std::min(x[v], y[v]);
+    power[v] = 2 * chord[v] - turn[v];
+    if (power[v] < 0) return std::nullopt; // the bisector goes to infinity there
+  }
+  return Contact_form{{forms.chord[0].on(chart, chord), forms.chord[1].on(chart, chord)}, forms.turn[0].on(chart), power};
 }
 
-/// One chart of a problem whose corner is blown up. Every equation is divided by the distance from the corner as often
-/// as that goes.
+/// One chart of a problem whose corner is blown up. Every equation is divided by the chart's coordinates as often as that
+/// goes.
 inline F3_problem on_chart(const F3_problem& plain, const Corner_forms& forms, const Corner_chart& chart, bool has_axis)
 {
   F3_problem p = plain;
   p.chart = chart;
-  const auto equation = [&](const Corner_expansion& f) { return std::make_shared<Polynomial_equation<2>>(f.on(chart.kind)); };
+  const auto equation = [&](const Corner_expansion& f) { return std::make_shared<Polynomial_equation<2>>(f.on(chart)); };
   p.system.equations[0] = equation(forms.f);
   for (std::size_t c = 0; c < 2; ++c) {
     const auto& pair = c == 0 ? forms.chord : forms.turn;
     p.system.causes[c].equations = {equation(pair[0]), equation(pair[1])};
-    p.system.causes[c].leave_out = on_chart_edges(has_axis);
+    p.system.causes[c].leave_out = on_chart_edges(chart, has_axis);
   }
-  p.contact = contact_at_corner(forms, chart.kind);
+  p.contact = contact_at_corner(forms, chart);
   return p;
+}
+
+/// Charts that cover one of the first two and on which the polynomial is regular at the corner, as far as a few blow-ups
+/// lead there.
+inline void collect_charts(const Corner_expansion& f, const Corner_chart& chart, int depth, std::vector<Corner_chart>& charts)
+{
+  constexpr int most = 4;
+  if (depth == most || !f.is_singular_on(chart)) return charts.push_back(chart);
+  for (const Corner_chart& part : chart.blown_up_again()) collect_charts(f, part, depth + 1, charts);
 }
 
 /// The values of an equation of a chart along the line between the charts, without multiple roots.
@@ -108,7 +132,7 @@ inline F3_problem axis_through_corner(const F3_problem& on_first_chart, const Co
   F3_problem p;
   p.first = on_first_chart.first;
   p.second = on_first_chart.second;
-  p.chart = {Corner_chart::Kind::axis, on_first_chart.chart.corner};
+  p.chart = Corner_chart::axis(on_first_chart.chart.corner);
   p.system.name = "axis";
   const auto line = std::make_shared<Polynomial_equation<2>>(Bernstein<Rational, 2>(Degrees<2>{1, 0}, {-1, 1}));
   p.system.equations[0] = line;
@@ -118,13 +142,13 @@ inline F3_problem axis_through_corner(const F3_problem& on_first_chart, const Co
     cause.equations = {line, along_axis(f)};
     cause.proves = Claim_kind::isolated_box;
     cause.tag = tag_of(tag);
-    cause.leave_out = on_chart_edges(false);
+    cause.leave_out = on_chart_edges(p.chart, false);
     return cause;
   };
   p.system.causes = {mark("the axis meets the other factor", F3_cause::axis, *on_first_chart.system.equations[0]),
                      mark("common tangent line on the axis", F3_cause::pole, *on_first_chart.system.causes[1].equations[0])};
   p.degrees = {1, 1};
-  p.contact = contact_at_corner(forms, Corner_chart::Kind::axis);
+  p.contact = contact_at_corner(forms, p.chart);
   return p;
 }
 
@@ -181,11 +205,13 @@ inline std::vector<F3_problem> f3_corner_problems(std::shared_ptr<const Planar_c
                                    {expansion(detail::scaled_form<Difference_form<false>>(*plain.first, *plain.second)),
                                     expansion(detail::scaled_form<Difference_form<true>>(*plain.first, *plain.second))},
                                    {of_cause(1, 0), of_cause(1, 1)}};
+  std::vector<Corner_chart> charts;
+  for (const bool first_side : {true, false}) detail::collect_charts(forms.f, Corner_chart::at(corner, first_side), 0, charts);
   std::vector<F3_problem> problems;
-  for (const auto kind : {Corner_chart::Kind::first, Corner_chart::Kind::second})
-    problems.push_back(detail::on_chart(plain, forms, Corner_chart{kind, corner}, has_axis));
-  if (has_axis) problems.push_back(detail::axis_through_corner(problems[0], forms));
-  problems[1].degenerate.clear(); // listed once
+  for (const Corner_chart& chart : charts) problems.push_back(detail::on_chart(plain, forms, chart, has_axis));
+  if (has_axis)
+    problems.push_back(detail::axis_through_corner(detail::on_chart(plain, forms, Corner_chart::at(corner, true), true), forms));
+  for (std::size_t k = 1; k < problems.size(); ++k) problems[k].degenerate.clear(); // listed once
   return problems;
 }
 

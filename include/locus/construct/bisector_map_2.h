@@ -142,7 +142,7 @@ private:
   struct Contact {
     std::array<Enclosed_function_2, 2> chord;
     Enclosed_function_2 turn;
-    int power = 0;
+    std::array<int, 2> power{0, 0};
   };
 
   template <class T>
@@ -159,7 +159,8 @@ private:
   {
     const T ex = contact_->chord[0].along(x), ey = contact_->chord[1].along(x), turn = contact_->turn.along(x);
     T lambda = (ex * ex + ey * ey) / (T(Interval(-2)) * first_->weight(p[0]) * second_->weight(p[1]) * turn);
-    for (int k = 0; k < contact_->power; ++k) lambda = lambda * x[1];
+    for (std::size_t v = 0; v < 2; ++v)
+      for (int k = 0; k < contact_->power[v]; ++k) lambda = lambda * x[v];
     return lambda;
   }
 

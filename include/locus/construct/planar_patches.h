@@ -122,7 +122,7 @@ public:
 private:
   void solve(const F3_problem& problem, std::size_t i, std::size_t j)
   {
-    const bool is_axis = problem.chart.kind == Corner_chart::Kind::axis;
+    const bool is_axis = problem.chart.is_axis;
     Planar_patch planar_patch;
     planar_patch.piece = {i, j};
     planar_patch.domain = {first_.ranges[i], second_.ranges[j]};

@@ -5,12 +5,35 @@
 #include <locus/function/descartes.h>
 
 #include <optional>
+#include <vector>
 
 namespace locus {
 
+namespace detail {
+
+/// False only if a polynomial certainly has no rational root: it has none modulo a prime that does not divide its leading
+/// coefficient, as a denominator would.
+inline bool may_have_rational_root(const Integer_polynomial& f)
+{
+  for (const unsigned long p : {3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43}) {
+    std::vector<unsigned long> residues;
+    for (const Integer& c : f) residues.push_back(mpz_fdiv_ui(c.get_mpz_t(), p));
+    bool found = residues.back() == 0;
+    for (unsigned long x = 0; x < p && !found; ++x) {
+      unsigned long value = 0;
+      for (std::size_t i = residues.size(); i-- > 0;) value = (value * x + residues[i]) % p;
+      found = value == 0;
+    }
+    if (!found) return false;
+  }
+  return true;
+}
+
+} // namespace detail
+
 /// The value of a root of an exact polynomial on the unit interval, as `exact_roots` gives it there, if it is rational.
 /// A denominator divides the leading coefficient: the root is refined until one multiple of its inverse is left, and that
-/// one is tried. As many bisections as the leading coefficient has bits.
+/// one is tried. As many bisections as the leading coefficient has bits, unless small primes tell at once.
 inline std::optional<Rational> rational_value(Isolated_root<Rational> root)
 {
   if (root.is_exact()) return root.lo;
@@ -20,6 +43,7 @@ inline std::optional<Rational> rational_value(Isolated_root<Rational> root)
     value.canonicalize();
     return value;
   }
+  if (!detail::may_have_rational_root(f)) return std::nullopt;
   const Integer leading = abs(f.back());
   while (!root.is_exact() && Rational((root.hi - root.lo) * leading) >= 1)
     detail::bisect_exactly(*root.factor, Rational(0), Rational(1), root);

@@ -3,6 +3,8 @@
 #define LOCUS_IO_JSON_RESULT_H
 
 #include <locus/construct/locus.h>
+#include <locus/io/picked_parameter.h>
+#include <locus/shape/rational_curve.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -186,7 +189,7 @@ template <int Dim>
 void write_arc_point(Json_writer& json, const Arc_point<Dim>& p)
 {
   json.open('{').key("parameters").open('[');
-  for (std::size_t k = 0; k < p.parameters().size(); ++k) json.value(p.parameter(k));
+  for (const Range& r : p.parameters()) json.value(picked(r));
   json.close(']').key("point").value(p.point()).key("radius").value(p.radius()).close('}');
 }
 
@@ -252,6 +255,41 @@ Undecided_piece undrawn(const Polyline<Dim>& polyline)
   return piece;
 }
 
+/// A joint of an input that turns, by less than the user's tolerance.
+struct Tolerated_joint {
+  std::size_t input = 0;
+  double parameter = 0;
+};
+
+/// The value at which two pieces of a chain meet; that of the seam is where the chain ends.
+inline double parameter_of_joint(const Chain& chain, std::size_t joint)
+{
+  const Piece& before = chain.pieces[joint];
+  return before.hi_infinite ? std::numeric_limits<double>::infinity() : nearest_double(before.hi);
+}
+
+template <int Dim>
+std::vector<Tolerated_joint> tolerated_joints(const std::vector<Rational_curve<Dim>>& inputs)
+{
+  std::vector<Tolerated_joint> found;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Chain& chain = inputs[i].chain();
+    for (std::size_t k = 0; k < chain.joints.size(); ++k)
+      if (chain.joints[k].by_tolerance) found.push_back({i, parameter_of_joint(chain, k)});
+  }
+  return found;
+}
+
+inline void write_degenerate(Json_writer& json, const Degenerate_piece& d)
+{
+  json.open('{').key("kind").value(d.kind);
+  if (d.input) json.key("input").value(*d.input);
+  if (d.parameter) json.key("parameter").value(*d.parameter);
+  json.key("box").list(d.box);
+  if (d.multiplicity > 1) json.key("multiplicity").value(d.multiplicity);
+  json.key("reason").value(d.reason).close('}');
+}
+
 /// A list with one element on a line.
 template <class Sequence, class Write>
 void write_lines(Json_writer& json, const char* key, const Sequence& items, Write write)
@@ -265,11 +303,13 @@ void write_lines(Json_writer& json, const char* key, const Sequence& items, Writ
 
 /// Writes a result as JSON; the keys are listed in doc/. Each arc is written as the polyline `arc.polyline(tolerance)`
 /// with the error that this reaches. Doubles are written so that they read back as the same doubles. `progress`, if
-/// given, is called with the numbers of arcs done and to come. Returns the status that was written: undecided also where
+/// given, is called with the numbers of arcs done and to come. `inputs`, if given, are the curves it was computed from:
+/// their joints that were taken as smooth by tolerance are listed. Returns the status that was written: undecided also where
 /// an arc's error has no proved bound, which is then written as null.
 template <int Dim>
 Status write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance = 1e-6,
-                const std::function<void(std::size_t done, std::size_t open)>& progress = {})
+                  const std::function<void(std::size_t done, std::size_t open)>& progress = {},
+                  const std::vector<Rational_curve<Dim>>& inputs = {})
 {
   using detail::Json_writer;
   std::vector<Polyline<Dim>> polylines;
@@ -292,17 +332,17 @@ Status write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance =
   detail::write_lines(json, "vertices", locus.vertices(),
                       [](Json_writer& j, const Locus_vertex<Dim>& v) { detail::write_vertex(j, v); });
   std::size_t next = 0;
-  detail::write_lines(json, "arcs", locus.arcs(), [&](Json_writer& j, const Arc<Dim>& a) { detail::write_arc(j, a, polylines[next++], 1e-10 * locus.scale()); });
+  detail::write_lines(json, "arcs", locus.arcs(), [&](Json_writer& j, const Arc<Dim>& a) {
+    detail::write_arc(j, a, polylines[next++], 1e-10 * locus.scale());
+  });
   detail::write_lines(json, "regions", locus.regions(), [](Json_writer& j, const Region& r) {
     j.open('{').key("arcs").list(r.arcs).key("reason").value(r.reason).close('}');
   });
-  detail::write_lines(json, "degenerate", locus.degenerate(), [](Json_writer& j, const Degenerate_piece& d) {
-    j.open('{').key("kind").value(d.kind);
-    if (d.input) j.key("input").value(*d.input);
-    if (d.parameter) j.key("parameter").value(*d.parameter);
-    if (d.multiplicity > 1) j.key("multiplicity").value(d.multiplicity);
-    j.key("reason").value(d.reason).close('}');
-  });
+  detail::write_lines(json, "degenerate", locus.degenerate(), detail::write_degenerate);
+  detail::write_lines(json, "joined_by_tolerance", detail::tolerated_joints(inputs),
+                      [](Json_writer& j, const detail::Tolerated_joint& t) {
+                        j.open('{').key("input").value(t.input).key("parameter").value(t.parameter).close('}');
+                      });
   detail::write_lines(json, "undecided", undecided, [](Json_writer& j, const Undecided_piece& u) {
     j.open('{').key("box").list(u.box).key("reason").value(u.reason).close('}');
   });

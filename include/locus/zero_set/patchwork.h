@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,6 @@ struct Patch {
   std::vector<char> is_pole;         ///< vertices where what the zero set stands for goes to infinity
   std::vector<char> is_final;        ///< vertices where arcs end for good (at a corner that is blown up, on a diagonal)
 
-  bool is_axis() const { return chart.kind == Corner_chart::Kind::axis; }
   bool is_dropped(std::size_t piece) const { return !dropped.empty() && dropped[piece]; }
 
   /// Parameters of a vertex, local to the cell.
@@ -95,7 +95,7 @@ public:
     number_vertices();
     note_sides();
     for (const Glued_sides& g : glued_) match(g);
-    for (const auto& [cell, list] : seams_) unite_equal(list);
+    for (const auto& [seam, list] : seams_) unite_equal(list);
     collect_classes();
     for (Patchwork_vertex& v : work_.vertices) settle(v);
     join();
@@ -106,6 +106,7 @@ private:
   using Member = Patchwork_vertex::Member;
   using Piece_ref = Patchwork_vertex::Piece_ref;
   using Key = std::array<std::size_t, 3>; ///< cell, fixed variable, end
+  using Seam = std::tuple<std::size_t, int, int>; ///< cell, ray
 
   struct On_side {
     Member member;
@@ -166,13 +167,21 @@ private:
       }
     }
     for (auto& [key, list] : sides_) sort_along(list);
-    for (auto& [cell, list] : seams_) sort_along(list);
+    for (auto& [seam, list] : seams_) sort_along(list);
   }
 
+  /// The lines that a cell's charts share, by their rays.
   void note_seam(const Member& m)
   {
-    const Patch& p = patch(m);
-    if (p.is_axis() || (!p.chart.is_plain() && is_exactly(vertex(m).at[0], 1))) seams_[p.cell].push_back({m, vertex(m).at[1]});
+    const Corner_chart& chart = patch(m).chart;
+    const std::array<Interval, 2>& at = vertex(m).at;
+    if (chart.is_plain()) return;
+    if (chart.is_axis) return seams_[Seam{patch(m).cell, 1, 1}].push_back({m, at[1]});
+    for (std::size_t v = 0; v < 2; ++v) {
+      if (!is_exactly(at[v], 1)) continue;
+      const std::array<int, 2> ray = chart.ray(v);
+      if (ray[0] > 0 && ray[1] > 0) seams_[Seam{patch(m).cell, ray[0], ray[1]}].push_back({m, at[1 - v]});
+    }
   }
 
   static void sort_along(Side_list& list)
@@ -325,7 +334,7 @@ private:
     std::vector<Sector> sectors;
     std::vector<Member> axis;
     for (const Member& m : v.members) {
-      if (patch(m).is_axis()) axis.push_back(m);
+      if (patch(m).chart.is_axis) axis.push_back(m);
       else sectors.push_back(sector(m));
     }
     if (!axis.empty()) return order_around_axis(v, axis);
@@ -418,16 +427,10 @@ private:
     for (const std::size_t k : g.half_branches)
       if (!patch(m).is_dropped(k)) pieces.push_back({m.patch, k});
     if (pieces.empty()) pieces = incident_[id(m)];
-    else if (reverses(patch(m).chart)) std::reverse(pieces.begin(), pieces.end());
+    else if (patch(m).chart.reverses()) std::reverse(pieces.begin(), pieces.end());
     if (g.half_branches.empty() && pieces.size() == 2) order_two(m, at, pieces);
     if (g.half_branches.empty() && pieces.size() > 2) work_.undecided.push_back({m, "the cyclic order of branches on a knot line"});
     return pieces;
-  }
-
-  static bool reverses(const Corner_chart& chart)
-  {
-    if (chart.is_plain()) return false;
-    return (chart.kind == Corner_chart::Kind::second) != (chart.corner[0] != chart.corner[1]);
   }
 
   /// An arc that touches a side from within: its two halves lie on both sides of the place, along that side.
@@ -462,19 +465,19 @@ private:
         const Interval there = patch(m).graph.vertices[piece.from == m.vertex ? piece.to : piece.from].at[1];
         (vertex(m).at[1].sup() < there.inf() ? outward : inward).push_back(p);
       }
-    // Counterclockwise from the half that leads away from the corner: chart `second`, the other half, chart `first`.
+    // Counterclockwise from the half that leads away from the corner: τ ≥ ρ, the other half, τ ≤ ρ.
     v.half_branches = outward;
-    append_chart(v, Corner_chart::Kind::second);
+    append_side(v, false);
     v.half_branches.insert(v.half_branches.end(), inward.begin(), inward.end());
-    append_chart(v, Corner_chart::Kind::first);
+    append_side(v, true);
     if (outward.size() > 1 || inward.size() > 1 || v.half_branches.size() != degree(v))
       work_.undecided.push_back({v.members[0], "the cyclic order of branches on an axis"});
   }
 
-  void append_chart(Patchwork_vertex& v, Corner_chart::Kind kind) const
+  void append_side(Patchwork_vertex& v, bool first) const
   {
     for (const Member& m : v.members)
-      if (patch(m).chart.kind == kind)
+      if (!patch(m).chart.is_axis && patch(m).chart.is_first_side() == first)
         v.half_branches.insert(v.half_branches.end(), incident_[id(m)].begin(), incident_[id(m)].end());
   }
 
@@ -511,7 +514,7 @@ private:
   std::map<std::size_t, int> cells_, ends_here_;
   std::map<Key, Key> partner_;
   std::map<Key, Side_list> sides_;
-  std::map<std::size_t, Side_list> seams_;
+  std::map<Seam, Side_list> seams_;
 };
 
 } // namespace detail
