@@ -15,7 +15,7 @@ namespace detail {
 /// coefficient, as a denominator would.
 inline bool may_have_rational_root(const Integer_polynomial& f)
 {
-  for (const unsigned long p : {3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43}) {
+  for (const unsigned long p : {3ul, 5ul, 7ul, 11ul, 13ul, 17ul, 19ul, 23ul, 29ul, 31ul, 37ul, 41ul, 43ul}) {
     std::vector<unsigned long> residues;
     for (const Integer& c : f) residues.push_back(mpz_fdiv_ui(c.get_mpz_t(), p));
     bool found = residues.back() == 0;
