@@ -145,8 +145,11 @@ inline F3_problem axis_through_corner(const F3_problem& on_first_chart, const Co
     cause.leave_out = on_chart_edges(p.chart, false);
     return cause;
   };
+  // Of the two equations of a pole either may contain the axis.
+  const auto& poles = on_first_chart.system.causes[1].equations;
+  const auto& pole = face(poles[0]->exact(), 0, true).is_zero() ? poles[1] : poles[0];
   p.system.causes = {mark("the axis meets the other factor", F3_cause::axis, *on_first_chart.system.equations[0]),
-                     mark("common tangent line on the axis", F3_cause::pole, *on_first_chart.system.causes[1].equations[0])};
+                     mark("common tangent line on the axis", F3_cause::pole, *pole)};
   p.degrees = {1, 1};
   p.contact = contact_at_corner(forms, p.chart);
   return p;
@@ -165,15 +168,35 @@ inline F3_problem f3_problem(std::shared_ptr<const Planar_curve> first, std::sha
   return p;
 }
 
-/// The system of a curve piece with itself: F3 without (t - r)^4, each unordered pair once (t > r), ending on the diagonal
-/// where the curvature is extremal. Pieces on a line or a circle leave no equation: the result's is zero.
-inline F3_problem f3_self_problem(const std::shared_ptr<const Planar_curve>& piece)
+namespace detail {
+
+inline F3_problem undecorated_self_problem(const std::shared_ptr<const Planar_curve>& piece)
 {
-  F3_problem p = detail::undivided_f3_problem(piece, piece);
+  F3_problem p = undivided_f3_problem(piece, piece);
   p.is_self = true;
   if (p.system.equations[0]->exact().is_zero()) return p;
-  detail::divide_out_diagonal(p, false, true);
+  divide_out_diagonal(p, false, true);
   p.degenerate.clear(); // the diagonal itself
+  return p;
+}
+
+inline Corner_forms corner_forms(const F3_problem& p, const std::array<int, 2>& corner)
+{
+  const auto expansion = [&](const Equation<2>& f) { return Corner_expansion(Scaled_form(f.exact()), corner); };
+  const auto& c = p.system.causes;
+  return {expansion(*p.system.equations[0]),
+          {expansion(*c[0].equations[0]), expansion(*c[0].equations[1])},
+          {expansion(*c[1].equations[0]), expansion(*c[1].equations[1])}};
+}
+
+} // namespace detail
+
+/// The system of a finite curve piece with itself: F3 without (t - r)^4, each unordered pair once (t > r), ending on the
+/// diagonal where the curvature is extremal. Pieces on a line or a circle leave no equation: the result's is zero.
+inline F3_problem f3_self_problem(const std::shared_ptr<const Planar_curve>& piece)
+{
+  F3_problem p = detail::undecorated_self_problem(piece);
+  if (p.system.equations[0]->exact().is_zero()) return p;
   detail::divide_out_diagonal(p, true, false);
   p.degrees = p.system.equations[0]->degrees();
   p.system.causes.push_back(detail::diagonal_cause(p.system.equations[0]));
@@ -184,6 +207,21 @@ inline F3_problem f3_self_problem(const std::shared_ptr<const Planar_curve>& pie
     system->outside = [](const Box<2>& box) { return box.hi[0] <= box.lo[1]; };
   }
   return p;
+}
+
+/// The same for a piece that is infinite at one end (0 or 1): there the corner of the diagonal is blown up, and the charts
+/// cover t ≥ r with the diagonal as an edge.
+inline std::vector<F3_problem> f3_infinite_self_problems(const std::shared_ptr<const Planar_curve>& piece, int end)
+{
+  F3_problem p = detail::undecorated_self_problem(piece);
+  if (p.system.equations[0]->exact().is_zero()) return {p};
+  p.degrees = p.system.equations[0]->degrees();
+  const detail::Corner_forms forms = detail::corner_forms(p, {end, end});
+  std::vector<Corner_chart> charts;
+  detail::collect_charts(forms.f, Corner_chart::at({end, end}, end == 1), 0, charts);
+  std::vector<F3_problem> problems;
+  for (const Corner_chart& chart : charts) problems.push_back(detail::on_chart(p, forms, chart, true));
+  return problems;
 }
 
 /// The problems that together cover two pieces which share an end with one tangent there: two charts of the blown-up

@@ -5,6 +5,7 @@
 #include <locus/number/filter_counts.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -104,7 +105,13 @@ public:
   }
 
   const std::vector<Range>& parameters() const { return parameters_; }
-  double parameter(std::size_t k) const { return parameters_[k].lo + 0.5 * (parameters_[k].hi - parameters_[k].lo); }
+  /// A value inside the enclosure; infinite where the enclosure is not bounded.
+  double parameter(std::size_t k) const
+  {
+    const Range& p = parameters_[k];
+    if (std::isinf(p.hi)) return p.hi;
+    return std::isinf(p.lo) ? p.lo : p.lo + 0.5 * (p.hi - p.lo);
+  }
   const Approximate_point<Dim>& point() const { return point_; }
   double radius() const { return radius_; }
   /// Proved bound of the distance between `point()` and the exact locus point of these parameters.

@@ -94,15 +94,11 @@ public:
   void solve_pair(std::size_t i, std::size_t j, bool is_self)
   {
     const auto &a = first_.curves[i], &b = second_.curves[j];
-    if (is_self && i == j) return solve(f3_self_problem(a), i, j);
+    if (is_self && i == j) return solve_self(i);
     if (are_apart(first_.bounds[i], second_.bounds[j])) return;
-    for (int s = 0; s < 2; ++s)
-      for (int e = 0; e < 2; ++e)
-        if (touch_at(*a, s, *b, e)) {
-          for (const F3_problem& problem : f3_corner_problems(a, b, {s, e})) solve(problem, i, j);
-          return;
-        }
-    solve(f3_problem(a, b), i, j);
+    const auto corners = touching_corners(*a, *b);
+    if (corners.empty()) return solve(f3_problem(a, b), i, j);
+    for (const F3_problem& problem : f3_corner_problems(a, b, corners[0])) solve(problem, i, j);
   }
 
   std::size_t cell(std::size_t i, std::size_t j) const { return i * second_.size() + j; }
@@ -120,6 +116,17 @@ public:
   Solve_statistics statistics;
 
 private:
+  void solve_self(std::size_t i)
+  {
+    const auto& piece = first_.curves[i];
+    for (int end = 0; end < 2; ++end)
+      if (piece->is_infinite_at(end)) {
+        for (const F3_problem& problem : f3_infinite_self_problems(piece, end)) solve(problem, i, i);
+        return;
+      }
+    solve(f3_self_problem(piece), i, i);
+  }
+
   void solve(const F3_problem& problem, std::size_t i, std::size_t j)
   {
     const bool is_axis = problem.chart.is_axis;
@@ -138,7 +145,7 @@ private:
     note_degenerate(problem, patch, planar_patch);
     if (is_nothing(patch.graph) && problem.degenerate.empty()) return;
     mark_vertices(problem, patch);
-    if (problem.is_self) drop_mirror_half(patch);
+    if (problem.is_self && problem.chart.is_plain()) drop_mirror_half(patch);
     if (!patch.graph.pieces.empty() || !patch.graph.vertices.empty())
       if (problem.contact)
         planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, problem.contact);
@@ -153,9 +160,18 @@ private:
 
   void note_degenerate(const F3_problem& problem, const Patch& patch, const Planar_patch& planar_patch)
   {
-    Note note{planar_patch, problem.degenerate};
+    Note note{planar_patch, {}};
+    for (const Degenerate_component& d : problem.degenerate)
+      if (!is_at_infinity(problem, d)) note.degenerate.push_back(d);
     if (patch.graph.identically_zero) note.degenerate.push_back(Degenerate_component{});
     if (!note.degenerate.empty()) notes.push_back(std::move(note));
+  }
+
+  /// Straight inputs are tangent to the line at infinity where they reach it, which is nothing to report.
+  static bool is_at_infinity(const F3_problem& problem, const Degenerate_component& d)
+  {
+    if (d.kind != Degenerate_component::Kind::infinity || d.lo != d.hi || (d.lo != 0 && d.lo != 1)) return false;
+    return (d.input == 0 ? problem.first : problem.second)->is_infinite_at(d.lo == 0 ? 0 : 1);
   }
 
   /// The limits hold for all patches together.
@@ -197,6 +213,9 @@ private:
                            (is_exactly(at[1], end) && problem.second->is_infinite_at(end));
         patch.is_final[v] = patch.is_final[v] || (problem.is_self && is_exactly(at[0], end) && is_exactly(at[1], end));
       }
+      for (std::size_t k = 0; k < 2; ++k) // the diagonal as an edge of a chart
+        patch.is_final[v] = patch.is_final[v] || (problem.is_self && !problem.chart.is_plain() && is_exactly(vertex.at[k], 1) &&
+                                                  problem.chart.ray(k) == std::array<int, 2>{1, 1});
       patch.is_final[v] = patch.is_final[v] || (!problem.chart.is_plain() && is_exactly(at[0], problem.chart.corner[0]) && is_exactly(at[1], problem.chart.corner[1]));
     }
   }

@@ -4,6 +4,8 @@
 
 #include <locus/constraint/span_bound.h>
 #include <locus/construct/planar_solution.h>
+#include <locus/function/diagonal.h>
+#include <locus/shape/edit_curve.h>
 
 namespace locus {
 namespace detail {
@@ -88,7 +90,8 @@ struct Piece_end {
   }
 };
 
-/// The pieces share a finite point at these ends and have one tangent line there: F3 is singular beyond a node.
+/// The pieces share a finite point at these ends and have one tangent line there, or both are infinite there: F3 is singular,
+/// beyond a node.
 inline bool touch_at(const Planar_curve& p, int p_end, const Planar_curve& q, int q_end)
 {
   const auto end_of = [](const Bernstein<Interval, 1>& f, int end) { return f[end == 0 ? 0 : f.size() - 1]; };
@@ -98,10 +101,60 @@ inline bool touch_at(const Planar_curve& p, int p_end, const Planar_curve& q, in
     if (!overlap(left, right)) return false;
   }
   const Piece_end a(p, p_end), b(q, q_end);
-  if (a.weight == 0 || b.weight == 0) return false;
+  if (a.weight == 0 || b.weight == 0) return a.weight == b.weight;
   for (std::size_t v = 0; v < 2; ++v)
     if (a.numerator[v] * b.weight != b.numerator[v] * a.weight) return false;
   return a.tangent[0] * b.tangent[1] == a.tangent[1] * b.tangent[0];
+}
+
+/// The corners of two pieces' cell where they touch.
+inline std::vector<std::array<int, 2>> touching_corners(const Planar_curve& p, const Planar_curve& q)
+{
+  std::vector<std::array<int, 2>> corners;
+  for (const int s : {0, 1})
+    for (const int e : {0, 1})
+      if (touch_at(p, s, q, e)) corners.push_back({s, e});
+  return corners;
+}
+
+/// Whether the cell of two pieces has more than one corner where they touch, so that it must be cut. Pieces that coincide
+/// touch at two corners as well; what is left of F3 without their overlap is not singular there.
+inline bool touch_more_than_once(const Planar_curve& p, const Planar_curve& q)
+{
+  const auto corners = touching_corners(p, q);
+  if (corners.size() < 2) return false;
+  if (p.is_circle() || q.is_circle()) return p.carrier().kind != q.carrier().kind;
+  Scaled_form f = scaled_form<F3_form>(p, q);
+  return !f.is_zero() && divide_by_diagonal(f, corners[0][0] != corners[0][1]) < 2;
+}
+
+/// A piece whose ends meet smoothly, or that is infinite at both.
+inline bool touches_itself(const Planar_curve& p) { return touch_at(p, 0, p, 1); }
+
+/// Finite value in the middle of a piece's local range.
+inline Rational middle_of(const Piece& range) { return *range.at(Rational(1, 2)); }
+
+/// Which input, and which of its pieces, must be cut in two so that no cell has several corners to blow up.
+struct Necessary_cut {
+  std::size_t input, piece;
+};
+
+inline std::optional<Necessary_cut> necessary_cut(const Planar_pieces& first, const Planar_pieces& second, bool is_self)
+{
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Planar_pieces& pieces = k == 0 ? first : second;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const Planar_curve& c = *pieces.curves[i];
+      if ((is_self && touches_itself(c)) || (c.is_infinite_at(0) && c.is_infinite_at(1))) return Necessary_cut{k, i};
+    }
+  }
+  for (std::size_t i = 0; i < first.size(); ++i)
+    for (std::size_t j = 0; j < (is_self ? i : second.size()); ++j) {
+      if (are_apart(first.bounds[i], second.bounds[j]) || !touch_more_than_once(*first.curves[i], *second.curves[j])) continue;
+      const auto corners = touching_corners(*first.curves[i], *second.curves[j]);
+      return corners[0][0] != corners[1][0] ? Necessary_cut{0, i} : Necessary_cut{1, j};
+    }
+  return std::nullopt;
 }
 
 /// Corners of the inputs' control polygons: the frame and the scale are taken from them.

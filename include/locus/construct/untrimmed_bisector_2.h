@@ -26,14 +26,33 @@ inline std::shared_ptr<Planar_solution> framed_solution(const std::vector<const 
   return solution;
 }
 
+/// Both inputs' pieces, cut where that is necessary; for a self-bisector (no second curve) the same ones twice.
+inline std::array<std::shared_ptr<const Planar_pieces>, 2> framed_inputs(const Curve_2& a, const Curve_2* b, const Frame<2>& frame)
+{
+  std::array<const Curve_2*, 2> curve{&a, b ? b : &a};
+  std::array<std::optional<Curve_2>, 2> cut_curve;
+  std::array<std::shared_ptr<const Planar_pieces>, 2> pieces;
+  const auto frame_input = [&](std::size_t k) { pieces[k] = std::make_shared<const Planar_pieces>(*curve[k], frame); };
+  frame_input(0);
+  if (b) frame_input(1);
+  else pieces[1] = pieces[0];
+  while (const auto cut = necessary_cut(*pieces[0], *pieces[1], !b)) {
+    const std::size_t k = b ? cut->input : 0;
+    cut_curve[k] = with_inserted_knot(*curve[k], middle_of(pieces[k]->chain.pieces[cut->piece]));
+    curve[k] = &*cut_curve[k];
+    frame_input(k);
+    if (!b) pieces[1] = pieces[0];
+  }
+  return pieces;
+}
+
 inline Locus<2> untrimmed_bisector_upward(const Curve_2& a, const Curve_2* b, const Bisector_options& options)
 {
   const auto start = std::chrono::steady_clock::now();
   const bool is_self = b == nullptr;
   auto solution = framed_solution(is_self ? std::vector<const Curve_2*>{&a} : std::vector<const Curve_2*>{&a, b});
-  const Planar_pieces first(a, solution->frame);
-  const std::optional<Planar_pieces> other = is_self ? std::nullopt : std::optional<Planar_pieces>(std::in_place, *b, solution->frame);
-  const Planar_pieces& second = is_self ? first : *other;
+  const auto inputs = framed_inputs(a, b, solution->frame);
+  const Planar_pieces &first = *inputs[0], &second = *inputs[1];
   Cell_keeper keeper;
   Patch_maker maker(first, second, options.control, options.keep_cells ? &keeper : nullptr);
   for (std::size_t i = 0; i < first.size(); ++i)

@@ -299,7 +299,6 @@ private:
       is_crossing_point = is_crossing_point || g.kind == Kind::node || g.kind == Kind::end;
       is_boundary = is_boundary || ends_here_.count(id(m)) != 0 || is_on_boundary(m);
     }
-    v.is_pole = v.is_pole && !v.is_final;
     const std::size_t n = degree(v);
     if (v.is_final) v.kind = Kind::boundary;
     else if (n > 2 || (is_crossing_point && n == 2)) v.kind = Kind::node;

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_IO_SVG_PLANE_H
+#define LOCUS_IO_SVG_PLANE_H
+
+#include <locus/io/picked_parameter.h>
+#include <locus/io/svg_marks.h>
+#include <locus/io/svg_scene.h>
+
+namespace locus {
+
+namespace detail {
+
+/// The inputs and what of the locus is near them, in a box of the given width : height.
+inline Picture_box plane_box(const Picture_scene& scene, double aspect)
+{
+  Picture_box box;
+  for (const Pictured_curve& curve : scene.curves)
+    for (const Picture_point& p : curve.essential_points()) box.add(p);
+  if (box.empty() || !(box.size() > 0)) {
+    const double r = 0.35 * scene.locus.scale();
+    box.add({-r, -r});
+    box.add({r, r});
+  }
+  Picture_box limit = box;
+  limit.grow(0.6 * box.size());
+  for (const Picture_scene::Drawn_arc& arc : scene.arcs)
+    for (std::size_t i = 1; i < arc.plane.size(); ++i) {
+      Picture_point p = arc.plane[i - 1], q = arc.plane[i];
+      if (!limit.clip(p, q)) continue;
+      box.add(p);
+      box.add(q);
+    }
+  box.grow(0.13 * box.size(), 0.08 * box.size()); // room for labels
+  const double wanted = std::max(box.width(), box.height() * aspect);
+  box.grow(0.5 * (wanted - box.width()), 0.5 * (wanted / aspect - box.height()));
+  return box;
+}
+
+/// Draws the plane: inputs, arcs, lines to the feet, asymptotes and vertices.
+class Plane_drawing {
+public:
+  Plane_drawing(std::ostream& out, const Picture_scene& scene, const Panel& panel) : out_(out), scene_(scene), panel_(panel) {}
+
+  void write()
+  {
+    out_ << "<g clip-path=\"url(#clip-" << panel_.name() << ")\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
+    for (const Locus_vertex<2>& v : scene_.locus.vertices())
+      if (v.asymptote) write_asymptote(*v.asymptote);
+    if (scene_.foot_curve(1)) write_feet();
+    for (std::size_t k = 0; k < scene_.curves.size(); ++k) write_curve(k);
+    for (std::size_t a = 0; a < scene_.arcs.size(); ++a)
+      svg_path(out_, panel_.path(scene_.arcs[a].plane), stroke(component_colour(scene_.components.of_arc[a]), 2.5));
+    write_vertices();
+    out_ << "</g>\n";
+    for (std::size_t k = 0; k < scene_.curves.size(); ++k) write_ends(k);
+    svg_frame(out_, panel_);
+    write_scale();
+  }
+
+private:
+  static const char* input_colour(std::size_t k) { return picture::input[k % 2]; }
+
+  void write_asymptote(const Asymptote<2>& asymptote)
+  {
+    const double far = 4 * panel_.box().size();
+    const Picture_point p = scene_.placed(asymptote.point), d{asymptote.direction[0], asymptote.direction[1]};
+    svg_path(out_, panel_.path({{p.x - far * d.x, p.y - far * d.y}, {p.x + far * d.x, p.y + far * d.y}}),
+             stroke(picture::foot, 1.2, picture::dashes));
+  }
+
+  /// From points of each arc, about equally spaced where it is visible, to their feet.
+  void write_feet()
+  {
+    constexpr double spacing = 42; // pixels
+    std::string d;
+    for (const Picture_scene::Drawn_arc& arc : scene_.arcs) {
+      double since = 0.5 * spacing;
+      for (std::size_t i = 1; i < arc.samples.size(); ++i) {
+        const Picture_point from = scene_.placed(arc.samples[i - 1].point()), to = scene_.placed(arc.samples[i].point());
+        if (!panel_.box().contains(from) || !panel_.box().contains(to)) continue;
+        const Picture_point p = panel_.at(from), q = panel_.at(to);
+        since += std::hypot(q.x - p.x, q.y - p.y);
+        if (since < spacing) continue;
+        since = 0;
+        d += feet_of(arc.samples[i]);
+      }
+    }
+    svg_path(out_, d, stroke(picture::foot, 0.8, " stroke-opacity=\"0.75\""));
+  }
+
+  std::string feet_of(const Arc_point<2>& p) const
+  {
+    std::vector<Picture_point> line{{}, scene_.placed(p.point()), {}};
+    for (std::size_t k = 0; k < 2 && k < p.parameters().size(); ++k)
+      line[2 * k] = scene_.foot_curve(k)->at(picked(p.parameters()[k]));
+    return panel_.path(line);
+  }
+
+  void write_curve(std::size_t k)
+  {
+    const Pictured_curve& curve = scene_.curves[k];
+    for (const std::vector<Picture_point>& part : curve.parts()) svg_path(out_, panel_.path(part), stroke(input_colour(k), 2.5));
+    constexpr double beside = 1e-3;
+    for (std::size_t j = 0; j < curve.joints().size(); ++j) {
+      const bool seam = j + 1 == static_cast<std::size_t>(curve.size());
+      const double before = static_cast<double>(j) + 1, after = seam ? 0 : before;
+      const Picture_point at = curve.at_place(after), p = curve.at_place(before - beside), q = curve.at_place(after + beside);
+      if (curve.joints()[j].kind == Joint_kind::pole || !panel_.box().contains(at)) continue;
+      const Picture_point from = panel_.at(p), to = panel_.at(q);
+      svg_joint(out_, panel_.at(at), {to.x - from.x, to.y - from.y}, curve.joints()[j].kind == Joint_kind::corner, input_colour(k));
+    }
+  }
+
+  void write_vertices()
+  {
+    for (std::size_t v = 0; v < scene_.locus.vertices().size(); ++v) {
+      const Locus_vertex<2>& vertex = scene_.locus.vertices()[v];
+      if (!vertex.point) continue;
+      const Picture_point p = scene_.placed(*vertex.point);
+      if (panel_.box().contains(p)) svg_vertex(out_, panel_.at(p), vertex.kind, component_colour(scene_.components.of_vertex[v]));
+    }
+  }
+
+  // ------------------------------------------------------------------------------------------------ ends of the inputs
+
+  /// The start filled, the finish open, with the parameter's values; a closed curve's seam; where a curve goes to infinity.
+  void write_ends(std::size_t k)
+  {
+    const Pictured_curve& curve = scene_.curves[k];
+    const std::string name = scene_.parameter_name(k);
+    if (curve.is_closed() && !curve.is_pole(0, false)) {
+      const std::string values = curve.is_finite() ? label_of(curve.start(), 3) + ", " + label_of(curve.finish(), 3) : label_of(curve.finish());
+      write_end(k, true, name + " = " + values);
+      return;
+    }
+    const auto last = static_cast<std::size_t>(curve.size()) - 1;
+    for (const bool start : {true, false}) {
+      const std::string value = label_of(start ? curve.start() : curve.finish(), 3);
+      if (curve.is_pole(start ? 0 : last, !start)) write_departure(k, start, name + " → " + value);
+      else write_end(k, start, name + " = " + value);
+    }
+  }
+
+  void write_end(std::size_t k, bool start, const std::string& text)
+  {
+    const Pictured_curve& curve = scene_.curves[k];
+    const char* colour = input_colour(k);
+    const double u = start ? 0 : curve.size(), step = curve.size() / 32;
+    const Picture_point p = panel_.at(curve.at_place(u)), inner = panel_.at(curve.at_place(start ? u + step : u - step));
+    svg_circle(out_, p, 4, filled(start ? colour : "#ffffff", colour, 2));
+    // The label goes on beyond the end.
+    double dx = p.x - inner.x, dy = p.y - inner.y;
+    const double length = std::hypot(dx, dy);
+    dx = length > 0 ? dx / length : 1;
+    dy = length > 0 ? dy / length : 0;
+    const double width = 7.2 * letters(text) + 14;
+    const bool sideways = std::abs(dx) > 0.4 && (dx > 0 ? p.x + width < panel_.right() : p.x - width > panel_.left());
+    const char* anchor = !sideways ? "middle" : dx > 0 ? "start" : "end";
+    const double below = dy < 0 ? -11 : 20;
+    const Picture_point at{sideways ? p.x + 10 * dx : p.x, sideways ? p.y + 12 * dy + 4.5 : p.y + below};
+    svg_text(out_, at, text, label_style(colour, anchor));
+  }
+
+  /// A label beside the last visible point towards infinity.
+  void write_departure(std::size_t k, bool start, const std::string& text)
+  {
+    const std::vector<std::vector<Picture_point>> parts = scene_.curves[k].parts();
+    std::vector<Picture_point> way = start ? parts.front() : parts.back();
+    if (!start) std::reverse(way.begin(), way.end());
+    const double width = 7.2 * letters(text) + 10;
+    for (const Picture_point& point : way) {
+      const Picture_point p = panel_.at(point);
+      if (!panel_.box().contains(point) || p.y < panel_.top() + 18 || p.y > panel_.bottom() - 12) continue;
+      const bool before = p.x + width > panel_.right();
+      if (p.x < panel_.left() + 4 || p.x > panel_.right() - 4) continue;
+      svg_text(out_, {p.x + (before ? -9 : 9), p.y + 4}, text, label_style(input_colour(k), before ? "end" : "start"));
+      return;
+    }
+  }
+
+  /// A bar of a round length under the panel, instead of axes.
+  void write_scale()
+  {
+    const double unit = panel_.box().width() / panel_.width(); // length of a pixel
+    const double wanted = 110 * unit;
+    double length = std::pow(10.0, std::floor(std::log10(wanted)));
+    for (const double f : {5.0, 2.0})
+      if (f * length <= wanted) {
+        length *= f;
+        break;
+      }
+    if (!(length > 0) || !std::isfinite(length)) return;
+    const double x = panel_.left() + 2, y = panel_.bottom() + 18, w = length / unit;
+    svg_path(out_, "M" + pixels(x) + " " + pixels(y - 4) + "v8m0 -4h" + pixels(w) + "m0 -4v8", stroke(picture::faint_ink, 1.2));
+    svg_text(out_, {x + w + 8, y + 4.5}, label_of(length), std::string("font-size=\"13\" fill=\"") + picture::faint_ink + "\"");
+  }
+
+  std::ostream& out_;
+  const Picture_scene& scene_;
+  const Panel& panel_;
+};
+
+} // namespace detail
+
+} // namespace locus
+
+#endif
