@@ -32,7 +32,14 @@ public:
     const Order& order = orders_[k];
     const double lo = std::max(0.0, t.inf()), hi = std::min(1.0, t.sup());
     const double mid = std::min(hi, lo + 0.5 * (hi - lo));
-    const double radius = order.error + order.slope * std::max(hi - mid, mid - lo);
+    const double reach = std::max(hi - mid, mid - lo);
+    double slope = order.slope;
+    if (reach > 0x1p-20 && k + 1 < orders_.size()) { // over a wide range the slope nearby is worth a look
+      const Order& next = orders_[k + 1];
+      const double there = detail::horner_value(next.f.values().data(), next.f.degree(), mid);
+      slope = std::min(slope, std::abs(there) + next.error + next.slope * reach);
+    }
+    const double radius = order.error + slope * reach;
     const double value = detail::horner_value(order.f.values().data(), order.f.degree(), mid);
     return Interval(value) + Interval(-radius, radius);
   }

@@ -278,6 +278,9 @@ private:
     double parameter_width = 0; ///< wanted of the knots: they need not be finer than the polyline
   };
 
+  /// Halvings of a stretch without any proved bound before its polynomial is restricted to it.
+  static constexpr int local_depth = 4;
+
   void draw_between(const Piece_evaluator& e, const Knot& a, const Knot& b, int depth, Draft& draft, bool reversed) const
   {
     const double error = chord_error(e, a, b);
@@ -286,6 +289,11 @@ private:
       draft.bend = std::max(draft.bend, error);
       draft.points.push_back(reversed ? a.placed : b.placed);
       return;
+    }
+    if (!std::isfinite(error) && depth == local_depth) { // the cell's bounds are too coarse for this part of it
+      const auto pivot = static_cast<std::size_t>(e.pivot());
+      const Curve_graph::Cell_form part = e.restricted_form(a.base.inf(), b.base.sup(), a.placed.at[pivot], b.placed.at[pivot]);
+      return draw_between(Piece_evaluator(part, e.base()), a, b, depth + 1, draft, reversed);
     }
     if (!std::isfinite(error) && depth >= 8) { // nothing is proved here: enclose the stretch as a whole
       draft.bend = std::max(draft.bend, enclosing_diameter(e, a, b));

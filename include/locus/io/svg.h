@@ -70,7 +70,7 @@ private:
 class Bisector_picture {
 public:
   Bisector_picture(std::ostream& out, const Locus<2>& locus, const std::vector<Curve_2>& inputs)
-    : out_(out), locus_(locus), scene_(locus, inputs), square_(parameter_square(scene_)), purged_(purged_pairs(scene_, square_))
+    : out_(out), locus_(locus), scene_(locus, inputs), square_(parameter_square(scene_)), has_purged_pair_(has_purged_pair(scene_, square_))
   {
   }
 
@@ -193,7 +193,7 @@ private:
     if (scene_.has_cell("empty")) key.add("cell proved empty" + rest, cell(picture::empty_cell));
     if (scene_.has_cell("graph")) key.add("cell proved a graph", cell(picture::graph_cell));
     if (scene_.has_cell("crossing")) key.add("cell of a node", cell(picture::crossing_cell));
-    if (!purged_.empty()) key.add("pieces proved apart", cell("#ffffff"));
+    if (has_purged_pair_) key.add("pieces proved apart", cell("#ffffff"));
     const bool everywhere = has_degenerate(true), along_lines = has_degenerate(false);
     if (everywhere) key.add("equation vanishes", Picture_legend::square(filled(picture::degenerate_hatch, picture::degenerate, 0.6)));
     if (along_lines) key.add("degenerate component", Picture_legend::line(stroke(picture::degenerate, 2.2, picture::dashes)));
@@ -211,7 +211,7 @@ private:
   const Locus<2>& locus_;
   Picture_scene scene_;
   Parameter_square square_;
-  std::vector<Picture_box> purged_;
+  bool has_purged_pair_;
 };
 
 } // namespace detail

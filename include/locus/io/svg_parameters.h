@@ -18,7 +18,7 @@ public:
     bool is_corner = false;
   };
 
-  Parameter_axis() = default;
+  Parameter_axis() : Parameter_axis(0, 1) {}
 
   explicit Parameter_axis(const Pictured_curve& curve) : curve_(&curve), is_closed_(curve.is_closed())
   {
@@ -32,7 +32,11 @@ public:
   }
 
   /// Without a curve: a range of values.
-  Parameter_axis(double lo, double hi) : knots_{{lo, lo, false}, {hi, hi, false}} {}
+  Parameter_axis(double lo, double hi)
+  {
+    knots_.push_back({lo, lo, false});
+    knots_.push_back({hi, hi, false});
+  }
 
   double lo() const { return knots_.front().at; }
   double hi() const { return knots_.back().at; }
@@ -48,7 +52,7 @@ public:
 private:
   const Pictured_curve* curve_ = nullptr;
   bool is_closed_ = false;
-  std::vector<Knot> knots_{{0, 0, false}, {1, 1, false}};
+  std::vector<Knot> knots_;
 };
 
 /// The square of the parameters t (to the right) and r (upwards); of a self-bisector only its triangle t ≥ r counts.

@@ -30,7 +30,7 @@ inline Picture_box plane_box(const Picture_scene& scene, double aspect)
       box.add(p);
       box.add(q);
     }
-  box.grow(0.13 * box.size(), 0.08 * box.size()); // room for labels
+  box.grow(0.15 * box.size(), 0.08 * box.size()); // room for labels
   const double wanted = std::max(box.width(), box.height() * aspect);
   box.grow(0.5 * (wanted - box.width()), 0.5 * (wanted / aspect - box.height()));
   return box;
@@ -68,19 +68,28 @@ private:
              stroke(picture::foot, 1.2, picture::dashes));
   }
 
+  /// Length in pixels between two samples that are both visible, else 0.
+  double visible_length(const Arc_point<2>& from, const Arc_point<2>& to) const
+  {
+    const Picture_point p = scene_.placed(from.point()), q = scene_.placed(to.point());
+    if (!panel_.box().contains(p) || !panel_.box().contains(q)) return 0;
+    return std::hypot(panel_.at(q).x - panel_.at(p).x, panel_.at(q).y - panel_.at(p).y);
+  }
+
   /// From points of each arc, about equally spaced where it is visible, to their feet.
   void write_feet()
   {
-    constexpr double spacing = 42; // pixels
+    double total = 0;
+    for (const Picture_scene::Drawn_arc& arc : scene_.arcs)
+      for (std::size_t i = 1; i < arc.samples.size(); ++i) total += visible_length(arc.samples[i - 1], arc.samples[i]);
+    constexpr double least_spacing = 42, most_lines = 64; // pixels
+    const double spacing = std::max(least_spacing, total / most_lines);
     std::string d;
     for (const Picture_scene::Drawn_arc& arc : scene_.arcs) {
       double since = 0.5 * spacing;
       for (std::size_t i = 1; i < arc.samples.size(); ++i) {
-        const Picture_point from = scene_.placed(arc.samples[i - 1].point()), to = scene_.placed(arc.samples[i].point());
-        if (!panel_.box().contains(from) || !panel_.box().contains(to)) continue;
-        const Picture_point p = panel_.at(from), q = panel_.at(to);
-        since += std::hypot(q.x - p.x, q.y - p.y);
-        if (since < spacing) continue;
+        since += visible_length(arc.samples[i - 1], arc.samples[i]);
+        if (since < spacing || !panel_.box().contains(scene_.placed(arc.samples[i].point()))) continue;
         since = 0;
         d += feet_of(arc.samples[i]);
       }
@@ -130,7 +139,7 @@ private:
     const std::string name = scene_.parameter_name(k);
     if (curve.is_closed() && !curve.is_pole(0, false)) {
       const std::string values = curve.is_finite() ? label_of(curve.start(), 3) + ", " + label_of(curve.finish(), 3) : label_of(curve.finish());
-      write_end(k, true, name + " = " + values);
+      write_seam(k, name + " = " + values);
       return;
     }
     const auto last = static_cast<std::size_t>(curve.size()) - 1;
@@ -141,6 +150,17 @@ private:
     }
   }
 
+  /// The label goes away from the middle of the curve.
+  void write_seam(std::size_t k, const std::string& text)
+  {
+    Picture_box box;
+    for (const Picture_point& p : scene_.curves[k].essential_points()) box.add(p);
+    const Picture_point at = panel_.at(scene_.curves[k].at_place(0));
+    const Picture_point middle = panel_.at({0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)});
+    svg_circle(out_, at, 4, filled(input_colour(k), input_colour(k), 2));
+    write_label(k, at, {at.x - middle.x, at.y - middle.y}, text);
+  }
+
   void write_end(std::size_t k, bool start, const std::string& text)
   {
     const Pictured_curve& curve = scene_.curves[k];
@@ -148,8 +168,13 @@ private:
     const double u = start ? 0 : curve.size(), step = curve.size() / 32;
     const Picture_point p = panel_.at(curve.at_place(u)), inner = panel_.at(curve.at_place(start ? u + step : u - step));
     svg_circle(out_, p, 4, filled(start ? colour : "#ffffff", colour, 2));
-    // The label goes on beyond the end.
-    double dx = p.x - inner.x, dy = p.y - inner.y;
+    write_label(k, p, {p.x - inner.x, p.y - inner.y}, text);
+  }
+
+  /// A label that goes on from a point in the given direction.
+  void write_label(std::size_t k, const Picture_point& p, const Picture_point& direction, const std::string& text)
+  {
+    double dx = direction.x, dy = direction.y;
     const double length = std::hypot(dx, dy);
     dx = length > 0 ? dx / length : 1;
     dy = length > 0 ? dy / length : 0;
@@ -158,7 +183,7 @@ private:
     const char* anchor = !sideways ? "middle" : dx > 0 ? "start" : "end";
     const double below = dy < 0 ? -11 : 20;
     const Picture_point at{sideways ? p.x + 10 * dx : p.x, sideways ? p.y + 12 * dy + 4.5 : p.y + below};
-    svg_text(out_, at, text, label_style(colour, anchor));
+    svg_text(out_, at, text, label_style(input_colour(k), anchor));
   }
 
   /// A label beside the last visible point towards infinity.

@@ -32,12 +32,12 @@ inline Parameter_square parameter_square(const Picture_scene& scene)
   return square;
 }
 
-/// Where a pair of pieces has no cell: bounds of the pieces prove that they have no bisector.
-inline std::vector<Picture_box> purged_pairs(const Picture_scene& scene, const Parameter_square& square)
+/// Has a pair of pieces no cell? Then bounds of the pieces prove that they have no bisector.
+inline bool has_purged_pair(const Picture_scene& scene, const Parameter_square& square)
 {
   const auto &t = square.axes[0].knots(), &r = square.axes[1].knots();
   const std::size_t n = t.size() - 1, m = r.size() - 1;
-  if (scene.locus.cells().empty() || n * m < 2) return {};
+  if (scene.locus.cells().empty()) return false;
   std::vector<char> used(n * m, 0);
   const auto use = [&](const std::vector<Range>& box) {
     if (box.size() != 2) return;
@@ -50,11 +50,10 @@ inline std::vector<Picture_box> purged_pairs(const Picture_scene& scene, const P
   for (const Cell_picture& cell : scene.locus.cells()) use(cell.box);
   for (const Degenerate_piece& d : scene.locus.degenerate()) use(d.box);
   for (const Undecided_piece& u : scene.locus.undecided()) use(u.box);
-  std::vector<Picture_box> out;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < (square.is_self ? i + 1 : m); ++j)
-      if (!used[i * m + j]) out.push_back({t[i].at, r[j].at, t[i + 1].at, r[j + 1].at});
-  return out;
+      if (!used[i * m + j]) return true;
+  return false;
 }
 
 /// Draws the square of the parameters: the cells, the zero set, its vertices, and the knots.
@@ -231,7 +230,9 @@ private:
     const bool many_t = square_.axes[0].knots().size() > 2, many_r = square_.axes[1].knots().size() > 2;
     svg_text(out_, {panel_.left() + 0.75 * panel_.width(), panel_.bottom() + (many_t ? 40 : 22)}, "t", name);
     svg_text(out_, {panel_.left() - (many_r ? 46 : 18), panel_.top() + 0.25 * panel_.height() + 5}, "r", name);
-    if (square_.is_self) svg_text(out_, panel_.at({panel_.box().x0 + 0.46 * panel_.box().width(), panel_.box().y0 + 0.54 * panel_.box().height()}), "t = r", style + "end\"");
+    if (!square_.is_self) return;
+    const Picture_point above{panel_.left() + 0.46 * panel_.width(), panel_.bottom() - 0.54 * panel_.height()};
+    svg_text(out_, above, "t = r", style + "end\"");
   }
 
   std::ostream& out_;

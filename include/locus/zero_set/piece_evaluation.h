@@ -75,6 +75,21 @@ public:
     return Dependent_jet{Interval(std::max(range.inf(), closer.inf()), std::min(range.sup(), closer.sup())), slope, second};
   }
 
+  /// The form restricted to base values [s0, s1] and to where the arc is there, given its values at both ends: bounds of
+  /// slopes are then those of that part.
+  Curve_graph::Cell_form restricted_form(double s0, double s1, const Interval& at_s0, const Interval& at_s1) const
+  {
+    Curve_graph::Cell_form part{sub_box(range_over(s0, s1, at_s0, at_s1), s0, s1), form_.f, form_.equation};
+    for (std::size_t v = 0; v < 2; ++v) {
+      double &lo = part.box.lo[v], &hi = part.box.hi[v];
+      lo = std::max(form_.box.lo[v], lo);
+      hi = std::min(form_.box.hi[v], hi);
+      if (!(lo < hi)) return form_;
+    }
+    part.f = bounded(form_.equation->enclosure(part.box));
+    return part;
+  }
+
   /// True if the derivative by the base variable has one strict sign on the whole cell, by its coefficients.
   bool has_strict_base_slope() const
   {
