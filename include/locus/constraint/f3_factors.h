@@ -101,35 +101,35 @@ inline void divide_out_tangencies(F3_problem& p, int variable)
   }
 }
 
-/// Whether a solution of two equations lies on t = r (or t + r = 1), exactly: on that line both have a common root.
+/// Whether a solution of two equations lies on a line, exactly: on that line both have a common root.
 inline bool lies_on_diagonal(const Isolated_solution<2>& p, const std::array<std::shared_ptr<const Equation<2>>, 2>& equations,
-                             bool reversed)
+                             const Diagonal& line)
 {
-  if (!overlap(p.box[0], reversed ? Interval(1) - p.box[1] : p.box[1])) return false;
+  if (is_strict(line.side(p.box))) return false;
   Integer_polynomial common;
-  for (const auto& equation : equations) common = gcd(common, monomial_form(on_diagonal(equation->exact(), reversed)));
+  for (const auto& equation : equations) common = gcd(common, monomial_form(on_diagonal(equation->exact(), line)));
   if (degree(common) < 1) return common.empty();
   return has_root_within(common, Rational(p.box[0].inf()), Rational(p.box[0].sup()));
 }
 
-/// F3 = (t - r)·G: the axis and G = 0 are solved apart and joined where they cross. The curves' common points on the
-/// axis are such crossings; common tangent lines belong to the factor on which they lie.
-inline void split_off_axis(F3_problem& p, const Bernstein<Scaled_integer, 2>& rest, bool reversed)
+/// F3 = L·G with L the axis: the axis and G = 0 are solved apart and joined where they cross. The curves' common points on
+/// the axis are such crossings; common tangent lines belong to the factor on which they lie.
+inline void split_off_axis(F3_problem& p, const Bernstein<Scaled_integer, 2>& rest, const Diagonal& axis)
 {
-  const auto line = std::make_shared<Polynomial_equation<2>>(diagonal(reversed));
+  const auto line = std::make_shared<Polynomial_equation<2>>(axis.polynomial());
   Cause<2> meeting = p.system.causes[0], bitangent = p.system.causes[1], crossing;
-  const auto on_axis = [reversed](const Cause<2>& cause) {
-    return [equations = cause.equations, reversed](const Isolated_solution<2>& s) { return lies_on_diagonal(s, equations, reversed); };
+  const auto on_axis = [axis](const Cause<2>& cause) {
+    return [equations = cause.equations, axis](const Isolated_solution<2>& s) { return lies_on_diagonal(s, equations, axis); };
   };
   replace_equation(p, rest);
-  crossing.name = reversed ? "the axis t + r = 1 meets the other factor" : "the axis t = r meets the other factor";
+  crossing.name = "the axis meets the other factor";
   crossing.equations = {line, p.system.equations[0]};
   crossing.proves = Claim_kind::isolated_box;
   crossing.tag = tag_of(F3_cause::axis);
   p.axis.emplace();
   p.axis->name = "axis";
   p.axis->equations[0] = line;
-  p.axis_reversed = reversed;
+  p.axis_line = axis;
 
   Cause<2> axis_bitangent = bitangent;
   axis_bitangent.includes.clear();
@@ -142,12 +142,12 @@ inline void split_off_axis(F3_problem& p, const Bernstein<Scaled_integer, 2>& re
 }
 
 /// The curves meet all along an overlap; only what is left of the causes can explain other points.
-inline void divide_causes_by_diagonal(F3_problem& p, bool reversed)
+inline void divide_causes_by_diagonal(F3_problem& p, const Diagonal& line)
 {
   std::vector<Diagonal_quotient> rest;
   for (Cause<2>& cause : p.system.causes)
     for (auto& equation : cause.equations) {
-      rest.push_back(equation->exact().is_zero() ? Diagonal_quotient{equation->exact(), 0} : divided_by_diagonal(equation->exact(), reversed));
+      rest.push_back(equation->exact().is_zero() ? Diagonal_quotient{equation->exact(), 0} : divided_by_diagonal(equation->exact(), line));
       equation = std::make_shared<Polynomial_equation<2>>(rest.back().rest);
     }
   // The equations of both causes: both coordinates of e, Im(e ā), Im(e b̄).
@@ -155,29 +155,61 @@ inline void divide_causes_by_diagonal(F3_problem& p, bool reversed)
     p.contact = Contact_form{{std::move(rest[0].rest), std::move(rest[1].rest)}, std::move(rest[2].rest), {0, 0}};
 }
 
-/// Mirror images with matching parameters have the axis t = r (or t + r = 1) as a factor of F3, and the other factor
-/// crosses it in nodes; equal curves have its fourth power, which is the curves' overlap.
-/// `overlaps` says which of the two is looked for: overlaps come first, for an axis may remain beside one.
+/// |C'|² at an end of a piece, by the piece's own parameter; zero where the end is infinite.
+inline Rational squared_speed(const Planar_curve& c, int end)
+{
+  const auto value = [end](const Bernstein<Rational, 1>& f) { return f[end == 0 ? 0 : f.size() - 1]; };
+  const Rational w = value(c.weight());
+  if (w == 0) return 0;
+  Rational sum = 0;
+  for (std::size_t v = 0; v < 2; ++v) {
+    const Rational d = value(first_derivative_numerator(c.numerator(v), c.weight()));
+    sum += d * d;
+  }
+  return Rational(sum / (w * w * w * w));
+}
+
+/// The ratio of the Möbius map along which one curve could be the other's image by a congruence: speeds at both ends decide.
+/// Nothing where they contradict each other or make it irrational; 1 where a curve stands still at an end.
+inline std::optional<Rational> matching_ratio(const Planar_curve& first, const Planar_curve& second, bool reversed)
+{
+  const Rational a0 = squared_speed(first, 0), a1 = squared_speed(first, 1);
+  const Rational b0 = squared_speed(second, reversed ? 1 : 0), b1 = squared_speed(second, reversed ? 0 : 1);
+  if (a0 == 0 || a1 == 0 || b0 == 0 || b1 == 0) return Rational(1);
+  const Rational square = a0 / b0;
+  if (square * a1 != b1) return std::nullopt;
+  if (!mpz_perfect_square_p(square.get_num_mpz_t()) || !mpz_perfect_square_p(square.get_den_mpz_t())) return std::nullopt;
+  Rational ratio;
+  mpz_sqrt(ratio.get_num_mpz_t(), square.get_num_mpz_t());
+  mpz_sqrt(ratio.get_den_mpz_t(), square.get_den_mpz_t());
+  return ratio;
+}
+
+/// Mirror images have an axis as a factor of F3, and the other factor crosses it in nodes; equal curves have its fourth power,
+/// which is the curves' overlap. `overlaps` says which of the two is looked for: overlaps come first, for an axis may remain
+/// beside one.
 inline void divide_out_diagonal(F3_problem& p, bool reversed, bool overlaps)
 {
   if (p.axis) return; // a second axis stays in the other factor, which it crosses in a declared node
   const auto enclosure = p.system.equations[0]->enclosure(Box<2>::unit());
-  const int n = enclosure.degree(0);
-  if (enclosure.degree(1) != n) return;
-  if (!contains_zero(enclosure.at({0, reversed ? n : 0})) || !contains_zero(enclosure.at({n, reversed ? 0 : n}))) return;
+  const int n = enclosure.degree(0), m = enclosure.degree(1);
+  if (!contains_zero(enclosure.at({0, reversed ? m : 0})) || !contains_zero(enclosure.at({n, reversed ? 0 : m}))) return;
+  const std::optional<Rational> ratio = matching_ratio(*p.first, *p.second, reversed);
+  if (!ratio) return;
+  const Diagonal line{reversed, *ratio};
   const Bernstein<Scaled_integer, 2>& f = p.system.equations[0]->exact();
   if (f.is_zero()) return;
-  const auto [rest, multiplicity] = divided_by_diagonal(f, reversed);
+  const auto [rest, multiplicity] = divided_by_diagonal(f, line);
   if (multiplicity == 0 || overlaps != (multiplicity > 1)) return;
-  if (multiplicity == 1) return split_off_axis(p, rest, reversed);
+  if (multiplicity == 1) return split_off_axis(p, rest, line);
   Degenerate_component d;
   d.kind = Degenerate_component::Kind::overlap;
   d.multiplicity = multiplicity;
-  d.reversed = reversed;
+  d.line = line;
   p.degenerate.push_back(d);
-  for (int k = 0; k < multiplicity; ++k) note_known_factor(p, diagonal(reversed));
+  for (int k = 0; k < multiplicity; ++k) note_known_factor(p, line.polynomial());
   replace_equation(p, rest);
-  divide_causes_by_diagonal(p, reversed);
+  divide_causes_by_diagonal(p, line);
 }
 
 } // namespace detail

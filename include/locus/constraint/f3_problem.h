@@ -4,6 +4,7 @@
 
 #include <locus/constraint/planar_equations.h>
 #include <locus/function/corner_chart.h>
+#include <locus/function/diagonal.h>
 
 #include <optional>
 #include <vector>
@@ -22,7 +23,7 @@ struct Degenerate_component {
   int input = -1;              ///< whose parameter is constant along it (centre, infinity)
   double lo = 0, hi = 1;       ///< enclosure of that parameter, on the unit interval
   int multiplicity = 1;
-  bool reversed = false;       ///< overlap along t + r = 1 instead of t = r
+  Diagonal line;               ///< of an overlap
 };
 
 /// What a cause of an F3 problem says of its solutions (`Cause::tag`).
@@ -50,10 +51,9 @@ struct F3_problem {
   Corner_chart chart;
   bool is_self = false;       ///< both are one piece: only t > r is wanted
   System<1, 2> system;
-  /// For mirror images with matching parameters: the axis t = r (or t + r = 1), a factor of F3 that `system` is then
-  /// without. Both have the cause number 0 in common, their crossings.
+  /// For mirror images: the axis, a factor of F3 that `system` is then without. Both have the cause number 0 in common, their crossings.
   std::optional<System<1, 2>> axis;
-  bool axis_reversed = false;
+  Diagonal axis_line;
   Degrees<2> degrees{}; ///< of the equation as solved
   std::vector<Degenerate_component> degenerate;
   std::optional<Contact_form> contact; ///< where the feet can come together

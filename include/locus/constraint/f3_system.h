@@ -42,7 +42,7 @@ inline Cause<2> diagonal_cause(const std::shared_ptr<const Equation<2>>& equatio
 {
   Cause<2> cause;
   cause.name = "the diagonal t = r";
-  cause.equations = {equation, std::make_shared<Polynomial_equation<2>>(diagonal(false))};
+  cause.equations = {equation, std::make_shared<Polynomial_equation<2>>(Diagonal{}.polynomial())};
   cause.proves = Claim_kind::isolated_box;
   cause.tag = tag_of(F3_cause::diagonal);
   return cause;
@@ -54,7 +54,7 @@ inline void leave_out_mirror_half(Cause<2>& cause)
   const bool off_diagonal = cause.tag != tag_of(F3_cause::diagonal);
   cause.leave_out = [off_diagonal, before = cause.leave_out, equations = cause.equations](const Isolated_solution<2>& s) {
     if (s.box[0].sup() < s.box[1].inf() || (before && before(s))) return true;
-    return off_diagonal && lies_on_diagonal(s, equations, false);
+    return off_diagonal && lies_on_diagonal(s, equations, Diagonal{});
   };
 }
 
@@ -233,7 +233,8 @@ inline std::vector<F3_problem> f3_corner_problems(std::shared_ptr<const Planar_c
   const bool as_built = plain.system.known_factors.empty() && !plain.first->is_circle() && !plain.second->is_circle();
   Scaled_form f = as_built ? detail::scaled_form<F3_form>(*plain.first, *plain.second) : Scaled_form(plain.system.equations[0]->exact());
   if (f.is_zero()) return {plain};
-  const int multiplicity = detail::divide_by_diagonal(f, corner[0] != corner[1]);
+  // An axis of another ratio than 1 is no ray of a chart: it stays in F3.
+  const int multiplicity = detail::divide_by_diagonal(f, {corner[0] != corner[1], 1});
   if (multiplicity > 1) return {f3_problem(plain.first, plain.second)};
   const bool has_axis = multiplicity == 1;
   plain.degrees = {f.degree(0), f.degree(1)};

@@ -53,12 +53,11 @@ private:
   }
 };
 
-/// Strict sign of t - r (or t + r - 1) somewhere on a piece that does not meet that line between its ends.
-inline Sign side_of_axis(const Curve_graph& graph, std::size_t piece, bool reversed)
+/// On which side of a line a piece lies that does not meet it between its ends: a strict sign somewhere on it.
+inline Sign side_of_axis(const Curve_graph& graph, std::size_t piece, const Diagonal& line)
 {
   const Graph_piece& p = graph.pieces[piece];
-  const auto side = [reversed](const std::array<Interval, 2>& at) { return sign_of(reversed ? at[0] + at[1] - Interval(1) : at[0] - at[1]); };
-  if (p.is_half_branch) return side(graph.vertices[p.to].at);
+  if (p.is_half_branch) return line.side(graph.vertices[p.to].at);
   const auto base = static_cast<std::size_t>(p.base);
   const Interval from = graph.vertices[p.from].at[base], to = graph.vertices[p.to].at[base];
   const Piece_evaluator e(graph.forms[piece], p.base);
@@ -67,7 +66,7 @@ inline Sign side_of_axis(const Curve_graph& graph, std::size_t piece, bool rever
     std::array<Interval, 2> at;
     at[base] = Interval(s);
     at[1 - base] = e.pivot_at(s, 0.5 * (midpoint(graph.vertices[p.from].at[1 - base]) + midpoint(graph.vertices[p.to].at[1 - base])));
-    if (const Sign sign = side(at); is_strict(sign)) return sign;
+    if (const Sign sign = line.side(at); is_strict(sign)) return sign;
   }
   return Sign::unknown;
 }
@@ -76,10 +75,10 @@ inline Curve_graph solve_f3(const F3_problem& problem, const Solve_control& cont
 {
   Curve_graph graph = solve_curves(problem.system, control, observer);
   if (!problem.axis) return graph;
-  const bool reversed = problem.axis_reversed;
+  const Diagonal line = problem.axis_line;
   Curve_graph axis = solve_curves(*problem.axis, control);
   return Overlay(std::move(graph), std::move(axis),
-                 [reversed](const Curve_graph& g, std::size_t piece) { return side_of_axis(g, piece, reversed); })
+                 [line](const Curve_graph& g, std::size_t piece) { return side_of_axis(g, piece, line); })
     .run();
 }
 
@@ -226,7 +225,7 @@ private:
     Curve_graph& g = patch.graph;
     patch.dropped.assign(g.pieces.size(), 0);
     for (std::size_t k = 0; k < g.pieces.size(); ++k) {
-      const Sign side = side_of_axis(g, k, false);
+      const Sign side = side_of_axis(g, k, Diagonal{});
       patch.dropped[k] = side == Sign::negative;
       if (side == Sign::unknown) g.undecided.push_back({g.forms[k].box, "on which side of the diagonal an arc runs"});
     }

@@ -2,9 +2,11 @@
 #ifndef LOCUS_CONSTRUCT_PLANAR_PIECES_H
 #define LOCUS_CONSTRUCT_PLANAR_PIECES_H
 
+#include <locus/constraint/f3_factors.h>
 #include <locus/constraint/span_bound.h>
 #include <locus/construct/planar_solution.h>
 #include <locus/function/diagonal.h>
+#include <locus/function/rational_root.h>
 #include <locus/shape/edit_curve.h>
 
 namespace locus {
@@ -117,15 +119,56 @@ inline std::vector<std::array<int, 2>> touching_corners(const Planar_curve& p, c
   return corners;
 }
 
+/// Whether two pieces that touch at opposite corners of their cell coincide.
+inline bool coincide(const Planar_curve& p, const Planar_curve& q, bool reversed)
+{
+  if (p.is_circle() || q.is_circle()) return p.carrier().kind == q.carrier().kind;
+  const auto ratio = matching_ratio(p, q, reversed);
+  if (!ratio) return false;
+  Scaled_form f = scaled_form<F3_form>(p, q);
+  return f.is_zero() || divide_by_diagonal(f, {reversed, *ratio}) > 1;
+}
+
 /// Whether the cell of two pieces has more than one corner where they touch, so that it must be cut. Pieces that coincide
 /// touch at two corners as well; what is left of F3 without their overlap is not singular there.
 inline bool touch_more_than_once(const Planar_curve& p, const Planar_curve& q)
 {
   const auto corners = touching_corners(p, q);
   if (corners.size() < 2) return false;
-  if (p.is_circle() || q.is_circle()) return p.carrier().kind != q.carrier().kind;
-  Scaled_form f = scaled_form<F3_form>(p, q);
-  return !f.is_zero() && divide_by_diagonal(f, corners[0][0] != corners[0][1]) < 2;
+  const bool opposite = corners[0][0] != corners[1][0] && corners[0][1] != corners[1][1];
+  return !(opposite && coincide(p, q, corners[0][0] != corners[0][1]));
+}
+
+/// Where inside a piece the end of another one touches it (lies on it with the same tangent line), at a rational parameter:
+/// a candidate where an overlap begins, and singular in any case.
+inline std::optional<Rational> touch_inside(const Planar_curve& p, int p_end, const Planar_curve& q)
+{
+  std::array<Bernstein<Interval, 1>, 2> apart;
+  const auto end_of = [p_end](const auto& f) { return f[p_end == 0 ? 0 : f.size() - 1]; };
+  for (std::size_t v = 0; v < 2; ++v) {
+    const Interval x = end_of(p.numerator_enclosure(v)), w = end_of(p.weight_enclosure());
+    Sign all = Sign::unknown;
+    for (std::size_t i = 0; i < q.numerator_enclosure(v).size(); ++i) {
+      const auto& weight = q.weight_enclosure();
+      const Sign s = sign_of(q.numerator_enclosure(v)[i] * w - x * weight[weight.size() == 1 ? 0 : i]);
+      all = i == 0 || s == all ? s : Sign::unknown;
+    }
+    if (is_strict(all)) return std::nullopt;
+  }
+  const Piece_end end(p, p_end);
+  if (end.weight == 0) return std::nullopt;
+  Integer_polynomial common;
+  for (std::size_t v = 0; v < 2; ++v) {
+    const auto difference = subtract(multiply(q.numerator(v), end.weight), multiply(q.weight(), end.numerator[v]));
+    common = gcd(common, monomial_form(Bernstein<Scaled_integer, 1>(difference)));
+  }
+  if (degree(common) < 1) return std::nullopt;
+  for (const auto& root : exact_roots(bernstein_form(common), Rational(0), Rational(1)).roots) {
+    const std::optional<Rational> r = rational_value(root);
+    if (!r || *r <= 0 || *r >= 1) continue;
+    if (end.tangent[0] * evaluate_at(q.tangent(1), *r) == end.tangent[1] * evaluate_at(q.tangent(0), *r)) return r;
+  }
+  return std::nullopt;
 }
 
 /// A piece whose ends meet smoothly, or that is infinite at both.
@@ -134,26 +177,44 @@ inline bool touches_itself(const Planar_curve& p) { return touch_at(p, 0, p, 1);
 /// Finite value in the middle of a piece's local range.
 inline Rational middle_of(const Piece& range) { return *range.at(Rational(1, 2)); }
 
-/// Which input, and which of its pieces, must be cut in two so that no cell has several corners to blow up.
+/// Where an input must be cut so that no cell has several corners to blow up, and pieces that overlap do so from end to end.
 struct Necessary_cut {
-  std::size_t input, piece;
+  std::size_t input;
+  Rational at; ///< parameter value
 };
+
+inline std::optional<Necessary_cut> cut_of_one_piece(const Planar_pieces& pieces, std::size_t input, bool is_self)
+{
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Planar_curve& c = *pieces.curves[i];
+    if ((is_self && touches_itself(c)) || (c.is_infinite_at(0) && c.is_infinite_at(1)))
+      return Necessary_cut{input, middle_of(pieces.chain.pieces[i])};
+  }
+  return std::nullopt;
+}
+
+inline std::optional<Necessary_cut> cut_of_pair(const Planar_pieces& first, std::size_t i, const Planar_pieces& second, std::size_t j)
+{
+  const Planar_curve &p = *first.curves[i], &q = *second.curves[j];
+  if (p.carrier().kind != Carrier::Kind::general && q.carrier().kind == p.carrier().kind) return std::nullopt;
+  for (const int end : {0, 1}) {
+    if (const auto r = touch_inside(p, end, q)) return Necessary_cut{1, *second.chain.pieces[j].at(*r)};
+    if (const auto t = touch_inside(q, end, p)) return Necessary_cut{0, *first.chain.pieces[i].at(*t)};
+  }
+  if (!touch_more_than_once(p, q)) return std::nullopt;
+  const auto corners = touching_corners(p, q);
+  return corners[0][0] != corners[1][0] ? Necessary_cut{0, middle_of(first.chain.pieces[i])}
+                                        : Necessary_cut{1, middle_of(second.chain.pieces[j])};
+}
 
 inline std::optional<Necessary_cut> necessary_cut(const Planar_pieces& first, const Planar_pieces& second, bool is_self)
 {
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Planar_pieces& pieces = k == 0 ? first : second;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const Planar_curve& c = *pieces.curves[i];
-      if ((is_self && touches_itself(c)) || (c.is_infinite_at(0) && c.is_infinite_at(1))) return Necessary_cut{k, i};
-    }
-  }
+  if (auto cut = cut_of_one_piece(first, 0, is_self)) return cut;
+  if (auto cut = cut_of_one_piece(second, 1, is_self)) return cut;
   for (std::size_t i = 0; i < first.size(); ++i)
-    for (std::size_t j = 0; j < (is_self ? i : second.size()); ++j) {
-      if (are_apart(first.bounds[i], second.bounds[j]) || !touch_more_than_once(*first.curves[i], *second.curves[j])) continue;
-      const auto corners = touching_corners(*first.curves[i], *second.curves[j]);
-      return corners[0][0] != corners[1][0] ? Necessary_cut{0, i} : Necessary_cut{1, j};
-    }
+    for (std::size_t j = 0; j < (is_self ? i : second.size()); ++j)
+      if (!are_apart(first.bounds[i], second.bounds[j]))
+        if (auto cut = cut_of_pair(first, i, second, j)) return cut;
   return std::nullopt;
 }
 

@@ -49,7 +49,7 @@ private:
       break;
     case Kind::overlap:
       piece.kind = "overlap";
-      piece.reason = std::string("the inputs coincide along ") + (d.reversed ? "t + r = 1" : "t = r");
+      piece.reason = std::string("the inputs coincide") + (d.line.reversed ? ", with opposite directions" : "");
       break;
     case Kind::everything:
       piece.kind = "everything";

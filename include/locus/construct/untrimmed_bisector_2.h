@@ -38,7 +38,7 @@ inline std::array<std::shared_ptr<const Planar_pieces>, 2> framed_inputs(const C
   else pieces[1] = pieces[0];
   while (const auto cut = necessary_cut(*pieces[0], *pieces[1], !b)) {
     const std::size_t k = b ? cut->input : 0;
-    cut_curve[k] = with_inserted_knot(*curve[k], middle_of(pieces[k]->chain.pieces[cut->piece]));
+    cut_curve[k] = with_inserted_knot(*curve[k], cut->at);
     curve[k] = &*cut_curve[k];
     frame_input(k);
     if (!b) pieces[1] = pieces[0];

@@ -3,33 +3,72 @@
 #define LOCUS_FUNCTION_DIAGONAL_H
 
 #include <locus/function/scaled_basis.h>
+#include <locus/number/interval.h>
 
 #include <limits>
 #include <optional>
 
 namespace locus {
 
-// Factors t - r of bivariate polynomials, or t + r - 1 where `reversed` is said.
+/// The line t = r, or t = 1 - r where `reversed`; more generally the curve r/(1-r) = ratio·t/(1-t), a Möbius map of the unit
+/// interval that keeps its ends. Such a factor of F3 is an axis of symmetry or, as a fourth power, an overlap of two curves.
+struct Diagonal {
+  bool reversed = false;
+  Rational ratio = 1; ///< positive
+
+  /// ratio·t(1-r) - r(1-t), with 1 - r for r where reversed: positive below the line.
+  Bernstein<Rational, 2> polynomial() const
+  {
+    if (reversed) return {Degrees<2>{1, 1}, {-1, 0, 0, ratio}};
+    return {Degrees<2>{1, 1}, {0, -1, ratio, 0}};
+  }
+
+  /// Its sign on a box.
+  Sign side(const std::array<Interval, 2>& at) const
+  {
+    const Interval one(1), r = reversed ? one - at[1] : at[1];
+    if (ratio == 1) return sign_of(at[0] - r);
+    return sign_of(enclosing(ratio) * at[0] * (one - r) - r * (one - at[0]));
+  }
+};
 
 namespace detail {
 
-/// t - r, or t + r - 1, in Bernstein form.
-inline Bernstein<Rational, 2> diagonal(bool reversed)
+/// Powers p^j q^(m-j), j = 0…m, of a ratio p/q.
+inline std::vector<Integer> ratio_powers(const Rational& ratio, int m)
 {
-  if (reversed) return {Degrees<2>{1, 1}, {-1, 0, 0, 1}};
-  return {Degrees<2>{1, 1}, {0, -1, 1, 0}};
+  std::vector<Integer> power(static_cast<std::size_t>(m) + 1, Integer(1));
+  for (std::size_t j = 1; j < power.size(); ++j) power[j] = power[j - 1] * ratio.get_num();
+  Integer q = 1;
+  for (std::size_t j = power.size(); j-- > 0; q *= ratio.get_den()) power[j] *= q;
+  return power;
 }
 
-/// f(t, t), or f(t, 1-t), up to a positive factor.
-inline Bernstein<Scaled_integer, 1> on_diagonal(const Bernstein<Scaled_integer, 2>& f, bool reversed)
+/// f along the line, as a polynomial in t, up to a positive factor.
+inline Bernstein<Scaled_integer, 1> on_diagonal(const Bernstein<Scaled_integer, 2>& f, const Diagonal& line)
 {
   const int n = f.degree(0), m = f.degree(1);
+  const std::vector<Integer> power = ratio_powers(line.ratio, m);
   std::vector<Integer> sum(static_cast<std::size_t>(n + m) + 1, Integer(0));
   for (int i = 0; i <= n; ++i)
     for (int j = 0; j <= m; ++j)
-      sum[static_cast<std::size_t>(i + j)] += binomial<Integer>(n, i) * binomial<Integer>(m, j) * f.values().at({i, reversed ? m - j : j});
+      sum[static_cast<std::size_t>(i + j)] +=
+        binomial<Integer>(n, i) * binomial<Integer>(m, j) * power[static_cast<std::size_t>(j)] * f.values().at({i, line.reversed ? m - j : j});
   unscale(sum);
   return {Bernstein<Integer, 1>(Degrees<1>{n + m}, std::move(sum)), Rational(1)};
+}
+
+/// Stretches r/(1-r) by `ratio`: coefficient j is multiplied by its j-th power.
+inline void stretch(Scaled_form& f, const Rational& ratio)
+{
+  if (ratio == 1) return;
+  const int m = f.degree(1);
+  const std::vector<Integer> power = ratio_powers(ratio, m);
+  for (int i = 0; i <= f.degree(0); ++i)
+    for (int j = 0; j <= m; ++j) f.c.at({i, j}) *= power[static_cast<std::size_t>(j)];
+  Integer common;
+  mpz_pow_ui(common.get_mpz_t(), ratio.get_den_mpz_t(), static_cast<unsigned long>(m));
+  f.scale /= common;
 }
 
 /// One division by t - r of integer coefficients in the scaled basis. There t - r is xv - yu in homogeneous coordinates
@@ -55,20 +94,22 @@ inline std::optional<Bernstein<Integer, 2>> divide_by_diagonal_once(const Bernst
   return g;
 }
 
-/// Divides t - r (or t + r - 1) out of a nonzero polynomial as often as it goes, but at most `limit` times; returns how
-/// often.
-inline int divide_by_diagonal(Scaled_form& f, bool reversed, int limit = std::numeric_limits<int>::max())
+/// Divides a line's polynomial out of a nonzero polynomial as often as it goes, but at most `limit` times; returns how often.
+inline int divide_by_diagonal(Scaled_form& f, const Diagonal& line, int limit = std::numeric_limits<int>::max())
 {
   const int n = f.degree(0), m = f.degree(1);
-  if (f.c.at({0, reversed ? m : 0}) != 0 || f.c.at({n, reversed ? 0 : m}) != 0) return 0; // the line's ends
-  if (reversed) f.reverse(1);
+  if (f.c.at({0, line.reversed ? m : 0}) != 0 || f.c.at({n, line.reversed ? 0 : m}) != 0) return 0; // the line's ends
+  if (line.reversed) f.reverse(1);
+  stretch(f, line.ratio);
   int multiplicity = 0;
   for (; multiplicity < limit; ++multiplicity) {
     auto quotient = divide_by_diagonal_once(f.c);
     if (!quotient) break;
     f.c = std::move(*quotient);
+    f.scale /= line.ratio;
   }
-  if (reversed) f.reverse(1);
+  stretch(f, Rational(1 / line.ratio));
+  if (line.reversed) f.reverse(1);
   return multiplicity;
 }
 
@@ -78,11 +119,11 @@ struct Diagonal_quotient {
 };
 
 /// The same for the Bernstein form.
-inline Diagonal_quotient divided_by_diagonal(const Bernstein<Scaled_integer, 2>& f, bool reversed,
+inline Diagonal_quotient divided_by_diagonal(const Bernstein<Scaled_integer, 2>& f, const Diagonal& line,
                                              int limit = std::numeric_limits<int>::max())
 {
   Scaled_form rest(f);
-  const int multiplicity = divide_by_diagonal(rest, reversed, limit);
+  const int multiplicity = divide_by_diagonal(rest, line, limit);
   if (multiplicity == 0) return {f, 0};
   return {std::move(rest).bernstein(), multiplicity};
 }
