@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // Jobs in, results and pictures out: json_text.h, json_job.h, json_result.h, svg.h.
 
+#include <locus/bisector_2.h>
 #include <locus/io/json_job.h>
 #include <locus/io/json_result.h>
 #include <locus/io/svg.h>
@@ -490,8 +491,8 @@ Locus_data<2> sample_data()
   data.arcs.emplace_back(std::make_shared<Straight>(), 0, 1, inputs, features);
   data.arcs.emplace_back(std::make_shared<Straight>(), std::nullopt, std::nullopt, inputs, features);
   data.regions.push_back({{0, 1}, "overlap"});
-  data.degenerate.push_back({"centre", 1, Range{0.5, 0.5}, 2, "a \"quoted\"\nreason\\"});
-  data.cells = {{{{0, 0.5}, {0, 1}}, "graph"}, {{{0.5, 1}, {0, 1}}, "empty"}};
+  data.degenerate.push_back({"centre", 1, Range{0.5, 0.5}, {{0, 1}, {0.25, 1}}, 2, "a \"quoted\"\nreason\\"});
+  data.cells = {{{{0, 0.5}, {0, 1}}, {{0, 0}, {0.5, 0}, {0.5, 1}, {0, 1}}, "graph"}, {{{0.5, 1}, {0, 1}}, {}, "empty"}};
   data.statistics.cells = 7;
   data.statistics.filter.calls = {10, 2, 1};
   data.statistics.filter.failures = {2, 1, 0};
@@ -518,7 +519,7 @@ TEST_CASE("a result's JSON holds what the contract names")
   for (const auto& [key, value] : j.items()) keys.push_back(key);
   CHECK(keys == std::vector<std::string>{"compute", "trimmed", "status", "tolerance", "scale", "cut_radius", "centre",
                                          "components", "equations", "vertices", "arcs", "regions", "degenerate",
-                                         "undecided", "statistics"});
+                                         "joined_by_tolerance", "undecided", "statistics"});
   CHECK(j["compute"] == "bisector");
   CHECK(j["trimmed"] == false);
   CHECK(j["status"] == "certified");
@@ -548,8 +549,9 @@ TEST_CASE("a result's JSON holds what the contract names")
   CHECK(!j["arcs"][1].contains("target"));
   CHECK(j["arcs"][1]["closed"] == true);
   CHECK(j["regions"] == Json::parse(R"([{"arcs": [0, 1], "reason": "overlap"}])"));
-  CHECK(j["degenerate"][0]["reason"] == "a \"quoted\"\nreason\\");
-  CHECK(j["degenerate"][0]["parameter"] == Json::parse("[0.5, 0.5]"));
+  CHECK(j["degenerate"] == Json::parse(R"([{"kind": "centre", "input": 1, "parameter": [0.5, 0.5],
+    "box": [[0, 1], [0.25, 1]], "multiplicity": 2, "reason": "a \"quoted\"\nreason\\"}])"));
+  CHECK(j["joined_by_tolerance"].empty());
   CHECK(j["undecided"].empty());
   CHECK(j["statistics"]["cells"] == 7);
   CHECK(j["statistics"]["filter_calls"] == 13);
@@ -589,6 +591,69 @@ TEST_CASE("doubles of a result read back as themselves, and nothing else is a nu
         nlohmann::json::parse(R"([["-inf", "inf"]])"));
   data.vertices[0].radius = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(json_of(Locus<2>(data)), std::logic_error);
+}
+
+namespace {
+
+/// An arc on which both parameters pass infinity.
+class Through_infinity final : public Arc_geometry<2> {
+public:
+  Arc_point<2> at(double x) const override
+  {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    if (x < 0.5) return {{{inf, inf}, {-inf, 2}}, {{x, 0}}, 1, 0};
+    return {{{3, inf}, {-inf, -inf}}, {{x, 0}}, 1, 0};
+  }
+  Arc_differential<2> differential(double) const override { return {}; }
+  std::vector<Arc_point<2>> samples(std::size_t n) const override
+  {
+    std::vector<Arc_point<2>> points;
+    for (std::size_t i = 0; i < n; ++i) points.push_back(at(static_cast<double>(i) / static_cast<double>(n - 1)));
+    return points;
+  }
+  Polyline<2> polyline(double) const override { return {samples(2), 0}; }
+  Irregular_points<2> irregular() const override { return {}; }
+};
+
+} // namespace
+
+TEST_CASE("infinite parameters of a result are strings")
+{
+  using Json = nlohmann::json;
+  Locus_data<2> data;
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  data.arcs.emplace_back(std::make_shared<Through_infinity>(), std::nullopt, std::nullopt, std::vector<std::size_t>{0, 0},
+                         std::vector<Feature>{Feature::interior, Feature::interior});
+  data.degenerate.push_back({"everything", {}, {}, {{-inf, -1}, {1, inf}}, 1, "all"});
+  data.undecided.push_back({{{-inf, inf}, {0, 1}}, "some"});
+  const Json j = Json::parse(json_of(Locus<2>(data)));
+  CHECK(j["arcs"][0]["inputs"] == Json::parse("[0, 0]"));
+  CHECK(j["arcs"][0]["samples"][0]["parameters"] == Json::parse(R"(["inf", 2.0])"));
+  CHECK(j["arcs"][0]["samples"][1]["parameters"] == Json::parse(R"([3.0, "-inf"])"));
+  CHECK(j["degenerate"] == Json::parse(R"([{"kind": "everything", "box": [["-inf", -1.0], [1.0, "inf"]], "reason": "all"}])"));
+  CHECK(j["undecided"][0]["box"] == Json::parse(R"([["-inf", "inf"], [0.0, 1.0]])"));
+}
+
+TEST_CASE("joints that were taken as smooth are listed")
+{
+  const Curve_2 straight = bezier_2({{0, 2}, {3, 2}});
+  const Curve_2 bent = polyline_2({{0, 0}, {1, 0}, {2, "1/100"}, {2, 1}});
+  const Curve_2 joined = with_join_tolerance(bent, Rational(1, 50));
+  const auto list = [](const std::vector<Curve_2>& inputs) {
+    std::ostringstream out;
+    write_json(out, Locus<2>(sample_data()), 1e-6, {}, inputs);
+    return nlohmann::json::parse(out.str())["joined_by_tolerance"];
+  };
+  CHECK(list({straight, bent}).empty());
+  CHECK(list({straight, joined}) == nlohmann::json::parse(R"([{"input": 1, "parameter": 1.0}])"));
+  CHECK(list({joined}) == nlohmann::json::parse(R"([{"input": 0, "parameter": 1.0}])"));
+
+  // The seam, at the end of the domain.
+  Chain chain = circle_2({0, 0}, 1).chain();
+  chain.joints.back().by_tolerance = true;
+  CHECK(list({Curve_2(circle_2({0, 0}, 1).pieces(), chain)}) == nlohmann::json::parse(R"([{"input": 0, "parameter": 4.0}])"));
+  chain.pieces.back().hi_infinite = true;
+  CHECK(list({Curve_2(circle_2({0, 0}, 1).pieces(), chain)}) == nlohmann::json::parse(R"([{"input": 0, "parameter": "inf"}])"));
 }
 
 // --------------------------------------------------------------------------------------------------------- pictures
@@ -632,7 +697,7 @@ TEST_CASE("pictures are well-formed, of any data")
   Locus_data<2> data = sample_data();
   data.undecided.push_back({{{0, 0.5}, {0.25, 0.5}}, "cell limit"});
   data.undecided.push_back({{{0.5, 0.5}, {0.25, 0.25}}, "depth limit"});
-  data.cells.push_back({{{0, 0.5}, {0.25, 0.5}}, "undecided"});
+  data.cells.push_back({{{0, 0.5}, {0.25, 0.5}}, {}, "undecided"});
   data.centre = {{1, 0}};
   const Locus<2> locus(data);
   const std::string alone = svg_of(locus), with_curves = svg_of(locus, {a, b});
@@ -640,7 +705,8 @@ TEST_CASE("pictures are well-formed, of any data")
   CHECK(fault_of(with_curves).empty());
   CHECK(with_curves.size() > alone.size());
   for (const char* part :
-       {"first curve", "second curve", "to the feet", "t = 0", "r = 1", "url(#hatch)", "node", "asymptote"}) {
+       {"first curve", "second curve", "to the feet", "t = 0", "r = 1", "url(#hatch)", "node", "asymptote",
+        "degenerate component"}) {
     INFO(part);
     CHECK(holds(with_curves, part));
   }
@@ -683,7 +749,163 @@ TEST_CASE("pictured curves run through the curve's points")
   for (int i = 0; i <= 8; ++i) {
     const Rational s = Rational(i) / 8, w = plain_value<1>(c.pieces()[0].weight, {s});
     const detail::Picture_point p = pictured.at(-2.0 + i);
+    CHECK(std::abs(pictured.place(-2.0 + i) - 0.125 * i) < 1e-15);
     CHECK(std::abs(p.x + 1 - Rational(plain_value<1>(c.pieces()[0].numerator[0], {s}) / w).get_d()) < 1e-14);
     CHECK(std::abs(p.y + 0.5 - Rational(plain_value<1>(c.pieces()[0].numerator[1], {s}) / w).get_d()) < 1e-14);
   }
+}
+
+TEST_CASE("pictured curves of several pieces, and through infinity")
+{
+  const detail::Pictured_curve line(line_2({1, 2}, {1, 3}), {Rational(0), Rational(0)});
+  CHECK(line.size() == 3);
+  CHECK(!line.is_finite());
+  CHECK(!line.is_closed());
+  CHECK(line.is_pole(0, false));
+  CHECK(!line.is_pole(0, true));
+  CHECK(line.is_pole(2, true));
+  for (const double u : {-1e6, -3.0, -1.0, 0.0, 0.5, 1.0, 7.0, 1e6}) {
+    INFO(u);
+    CHECK(line.at(u).x == Approx(1 + u));
+    CHECK(line.at(u).y == Approx(2 + 3 * u));
+  }
+  CHECK(line.place(-std::numeric_limits<double>::infinity()) == 0);
+  CHECK(line.place(std::numeric_limits<double>::infinity()) == 3);
+  for (const auto& p : line.essential_points()) CHECK(std::abs(p.x - 1) <= 2); // u from -2 to 2
+  REQUIRE(line.parts().size() == 1);
+  CHECK(line.parts()[0].front().x < -1e9);
+  CHECK(line.parts()[0].back().x > 1e9);
+
+  // y = 1/x: two branches.
+  const detail::Pictured_curve hyperbola(monomial_curve<2>({{{0, 0, 1}, {1, 0, 0}}}, {0, 1}, {Rational(-2), Rational(2)}),
+                                         {Rational(0), Rational(0)});
+  REQUIRE(hyperbola.parts().size() == 2);
+  CHECK(hyperbola.parts()[0].back().y < -1e9);
+  CHECK(hyperbola.parts()[1].front().y > 1e9);
+  for (const auto& p : hyperbola.essential_points()) CHECK(std::abs(p.y) <= 1 + 1e-12);
+
+  const detail::Pictured_curve circle(circle_2({0, 0}, 1), {Rational(0), Rational(0)});
+  CHECK(circle.is_closed());
+  CHECK(circle.at(2).x == Approx(-1));
+  CHECK(circle.at(4).x == Approx(1));
+  const auto parts = circle.parts();
+  REQUIRE(parts.size() == 1);
+  for (const auto& p : parts[0]) CHECK(std::hypot(p.x, p.y) == Approx(1));
+}
+
+TEST_CASE("axes of a picture: values, or pieces one unit long where the domain is infinite")
+{
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const detail::Pictured_curve spline(bspline_2(1, {{0, 0}, {1, 0}, {1, 1}}, {2, 2, 5, 6, 6}), {Rational(0), Rational(0)});
+  const detail::Parameter_axis plain(spline);
+  REQUIRE(plain.knots().size() == 3);
+  CHECK(plain.lo() == 2);
+  CHECK(plain.knots()[1].at == 5);
+  CHECK(plain.knots()[1].is_corner);
+  CHECK(plain.hi() == 6);
+  CHECK(plain.at(5.5) == 5.5);
+  CHECK(plain.at(inf) == 6);
+
+  const detail::Pictured_curve line(line_2({0, 0}, {1, 0}), {Rational(0), Rational(0)});
+  const detail::Parameter_axis units(line);
+  REQUIRE(units.knots().size() == 4);
+  CHECK(units.lo() == 0);
+  CHECK(units.hi() == 3);
+  CHECK(units.knots()[0].value == -inf);
+  CHECK(units.knots()[2].value == 1);
+  CHECK(!units.knots()[2].is_corner);
+  CHECK(units.at(-inf) == 0);
+  CHECK(units.at(-2) == Approx(0.5));
+  CHECK(units.at(0) == Approx(1.5));
+  CHECK(units.at(4) == Approx(2.75));
+  CHECK(units.at(inf) == 3);
+}
+
+TEST_CASE("in a picture's square arcs leave at a seam and come back on the other side")
+{
+  using detail::Picture_point;
+  const detail::Pictured_curve circle(circle_2({0, 0}, 1), {Rational(0), Rational(0)});
+  detail::Parameter_square square;
+  square.axes = {detail::Parameter_axis(circle), detail::Parameter_axis(circle)};
+  const auto at = [](const std::vector<Picture_point>& part, std::size_t i, double x, double y) {
+    return std::abs(part[i].x - x) + std::abs(part[i].y - y) < 1e-12;
+  };
+  auto parts = square.parts({{3.5, 1}, {3.875, 1.25}, {0.25, 1.5}, {0.5, 1.75}});
+  REQUIRE(parts.size() == 2);
+  REQUIRE(parts[0].size() == 3);
+  CHECK(at(parts[0], 2, 4.25, 1.5));
+  CHECK(at(parts[1], 0, -0.125, 1.25));
+  CHECK(at(parts[1], 2, 0.5, 1.75));
+
+  square.is_self = true; // the parameters change places
+  parts = square.parts({{3.5, 1}, {3.875, 1.25}, {1.5, 0.25}, {1.75, 0.5}});
+  REQUIRE(parts.size() == 2);
+  CHECK(at(parts[0], 2, 4.25, 1.5));
+  CHECK(at(parts[1], 0, 1.25, -0.125));
+
+  square.axes = {detail::Parameter_axis(0, 4), detail::Parameter_axis(0, 4)}; // no seam
+  CHECK(square.parts({{3.5, 1}, {3.875, 1.25}, {1.5, 0.25}}).size() == 1);
+}
+
+TEST_CASE("segments are clipped to a box")
+{
+  using detail::Picture_point;
+  const detail::Picture_box box{0, 0, 2, 1};
+  const auto clipped = [&](Picture_point p, Picture_point q) {
+    if (!box.clip(p, q)) return std::vector<double>{};
+    return std::vector<double>{p.x, p.y, q.x, q.y};
+  };
+  CHECK(clipped({0.5, 0.5}, {1, 1}) == std::vector<double>{0.5, 0.5, 1, 1});
+  CHECK(clipped({-1, 0.5}, {3, 0.5}) == std::vector<double>{0, 0.5, 2, 0.5});
+  CHECK(clipped({1, 0.5}, {1, 1e9}) == std::vector<double>{1, 0.5, 1, 1});
+  CHECK(clipped({3, 0.25}, {1, 2.25}).empty()); // past the corner, beyond no single side
+  CHECK(clipped({-1, 2}, {3, 3}).empty());
+  CHECK(clipped({0, 0}, {std::numeric_limits<double>::infinity(), 1}).empty());
+}
+
+TEST_CASE("pictures of a curve with itself, of closed and of infinite curves")
+{
+  const auto pictured = [](const std::vector<Curve_2>& inputs) {
+    const Bisector_options options{.control = {}, .keep_cells = true};
+    const Locus<2> locus = inputs.size() == 1 ? untrimmed_bisector(inputs[0], options)
+                                              : untrimmed_bisector(inputs[0], inputs[1], options);
+    const std::string svg = svg_of(locus, inputs);
+    CHECK(fault_of(svg).empty());
+    CHECK(fault_of(svg_of(locus)).empty());
+    return svg;
+  };
+  const auto expect = [](const std::string& svg, const std::vector<const char*>& parts) {
+    for (const char* part : parts) {
+      INFO(part);
+      CHECK(holds(svg, part));
+    }
+  };
+  const Curve_2 spline = bspline_2(2, {{0, 0}, {1, 2}, {2, -1}, {3, 1}}, {0, 0, 0, 1, 2, 2, 2});
+  const std::string self = pictured({spline});
+  expect(self, {"of a curve with itself", "class=\"diagonal\"", "t = r", "u = 0", "u = 2", "end on the diagonal", "joint",
+                "the curve<"});
+  const std::string two = pictured({spline, segment_2({0, -2}, {3, -3})});
+  for (const char* absent : {"class=\"diagonal\"", "t = r", "end on the diagonal", "the curve<"}) CHECK(!holds(two, absent));
+
+  expect(pictured({circle_2({0, 0}, 1)}), {"equation vanishes", "url(#degenerate-hatch)", "u = 0, 4", "10 degenerate"});
+  expect(pictured({line_2({0, 0}, {1, 0}), bezier_2({{-1, 1}, {0, 2}, {1, 1}})}), {"t → −∞", "t → ∞", ">−∞<", ">∞<"});
+  expect(pictured({polyline_2({{0, 0}, {2, 0}, {3, 1}}), segment_2({0, 1}, {2, 2})}),
+         {"end at a curve's corner", ">corner<"});
+  expect(pictured({ellipse_2({0, 0}, 2, 1), ellipse_2({0, 0}, 5, 4)}), {"t = 0, 4", "r = 0, 4"});
+  // Parallel segments a diagonal apart have no bisector and no cells; a picture says so.
+  expect(pictured({polyline_2({{0, 0}, {1, 0}, {1, 1}}), segment_2({10, 10}, {11, 10})}), {"pieces proved apart"});
+}
+
+TEST_CASE("a self-bisector's JSON has each pair once, the greater parameter first")
+{
+  const Curve_2 spline = bspline_2(2, {{0, 0}, {1, 2}, {2, -1}, {3, 1}}, {0, 0, 0, 1, 2, 2, 2});
+  const auto j = nlohmann::json::parse(json_of(untrimmed_bisector(spline)));
+  CHECK(j["status"] == "certified");
+  REQUIRE(!j["arcs"].empty());
+  for (const auto& arc : j["arcs"]) {
+    CHECK(arc["inputs"] == nlohmann::json::parse("[0, 0]"));
+    for (const auto& s : arc["samples"]) CHECK(s["parameters"][0] >= s["parameters"][1]);
+  }
+  for (const auto& v : j["vertices"])
+    for (const auto& foot : v["feet"]) CHECK(foot["input"] == 0);
 }

@@ -29,6 +29,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace {
 
@@ -156,6 +157,20 @@ locus::Rational tolerance_of(const std::string& text)
   return *value;
 }
 
+std::vector<locus::Curve_2> curves_of(const locus::Job& job)
+{
+  std::vector<locus::Curve_2> curves;
+  for (const locus::Job_input& input : job.inputs) curves.push_back(*input.curve);
+  return curves;
+}
+
+/// Of two curves, or of one with itself.
+locus::Locus<2> bisector_of(const std::vector<locus::Curve_2>& curves, const locus::Bisector_options& options)
+{
+  if (curves.size() == 1) return locus::untrimmed_bisector(curves[0], options);
+  return locus::untrimmed_bisector(curves[0], curves[1], options);
+}
+
 int run(const Settings& settings)
 {
   require_distinct_files(settings);
@@ -185,8 +200,8 @@ int run(const Settings& settings)
   options.control.cancel = cancel;
   options.control.progress = [&bar](std::size_t done, std::size_t open) { bar.show("cells", done, open); };
   options.keep_cells = !settings.svg.empty();
-  const locus::Curve_2 &first = *job.inputs[0].curve, &second = *job.inputs[1].curve;
-  const locus::Locus<2> result = locus::untrimmed_bisector(first, second, options);
+  const std::vector<locus::Curve_2> curves = curves_of(job);
+  const locus::Locus<2> result = bisector_of(curves, options);
   std::signal(SIGINT, SIG_DFL);
   interrupted = nullptr;
 
@@ -198,10 +213,11 @@ int run(const Settings& settings)
     on_arc = [&bar](std::size_t done, std::size_t open) { bar.show("arcs", done, open); };
   else bar.clear();
   locus::Status status = result.status();
-  if (!json.empty()) write_output(json, [&](std::ostream& out) { status = locus::write_json(out, result, wanted, on_arc); });
+  if (!json.empty())
+    write_output(json, [&](std::ostream& out) { status = locus::write_json(out, result, wanted, on_arc, curves); });
   bar.clear();
   if (!settings.svg.empty())
-    write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, result, {first, second}); });
+    write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, result, curves); });
   return status == locus::Status::certified ? answered : something_undecided;
 }
 
@@ -211,7 +227,7 @@ A job is a JSON object, for example
    "inputs": [{"curve": {"degree": 2, "control_points": [[0,0],[1,"3/2"],[2,0]]}},
               {"curve": {"degree": 1, "control_points": [[0,3],[2,2.5]], "weights": [1,2]}}],
    "options": {"trimmed": false, "tolerance": 1e-6}}
-Numbers are read exactly: 0.1 is 1/10; strings hold decimals or fractions.
+Numbers are read exactly: 0.1 is 1/10; strings hold decimals or fractions. One curve alone: its self-bisector.
 
 Exit status: 0 answered; 1 answered, but something is undecided (the result says what); 2 the job is invalid;
 3 internal error; 4 valid, but a feature that this version does not have yet.)";

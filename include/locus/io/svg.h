@@ -70,7 +70,8 @@ private:
 class Bisector_picture {
 public:
   Bisector_picture(std::ostream& out, const Locus<2>& locus, const std::vector<Curve_2>& inputs)
-    : out_(out), locus_(locus), scene_(locus, inputs), square_(parameter_square(scene_)), has_purged_pair_(has_purged_pair(scene_, square_))
+    : out_(out), locus_(locus), scene_(locus, inputs), square_(parameter_square(scene_)),
+      has_purged_pair_(has_purged_pair(scene_, square_))
   {
   }
 
@@ -132,14 +133,17 @@ private:
   void definitions(const Panel& plane, const Panel& square)
   {
     const auto hatch = [&](const char* id, const char* back, const char* lines) {
-      out_ << "<pattern id=\"" << id << "\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">"
-           << "<rect width=\"6\" height=\"6\" fill=\"" << back << "\"/><rect width=\"2\" height=\"6\" fill=\"" << lines
+      out_ << "<pattern id=\"" << id << "\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
+           << "patternTransform=\"rotate(45)\"><rect width=\"6\" height=\"6\" fill=\"" << back << "\"/>"
+           << "<rect width=\"2\" height=\"6\" fill=\"" << lines
            << "\"/></pattern>\n";
     };
-    const Picture_box& b = plane.box();
-    out_ << "<defs>\n<clipPath id=\"clip-plane\"><path d=\"" << plane.polygon({{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}})
-         << "\"/></clipPath>\n<clipPath id=\"clip-parameters\"><path d=\"" << square.polygon(Square_drawing::outline(square_))
-         << "\"/></clipPath>\n";
+    const auto clip = [&](const Panel& panel, const std::vector<Picture_point>& outline) {
+      out_ << "<clipPath id=\"clip-" << panel.name() << "\"><path d=\"" << panel.polygon(outline) << "\"/></clipPath>\n";
+    };
+    out_ << "<defs>\n";
+    clip(plane, plane.box().corners());
+    clip(square, Square_drawing::outline(square_));
     hatch("hatch", "#ffe3e3", picture::alarm);
     hatch("degenerate-hatch", "#efe8f6", picture::degenerate);
     out_ << "</defs>\n";
@@ -169,7 +173,8 @@ private:
               Picture_legend::line(stroke(component_colour(c), 2.5)));
     if (count > shown) key.add("… of " + std::to_string(count), Picture_legend::nothing());
     if (scene_.foot_curve(1) && !scene_.arcs.empty()) key.add("to the feet", Picture_legend::line(stroke(picture::foot, 0.9)));
-    if (std::any_of(locus_.vertices().begin(), locus_.vertices().end(), [](const Locus_vertex<2>& v) { return v.asymptote.has_value(); }))
+    if (std::any_of(locus_.vertices().begin(), locus_.vertices().end(),
+                    [](const Locus_vertex<2>& v) { return v.asymptote.has_value(); }))
       key.add("asymptote", Picture_legend::line(stroke(picture::foot, 1.2, picture::dashes)));
   }
 
@@ -194,9 +199,10 @@ private:
     if (scene_.has_cell("graph")) key.add("cell proved a graph", cell(picture::graph_cell));
     if (scene_.has_cell("crossing")) key.add("cell of a node", cell(picture::crossing_cell));
     if (has_purged_pair_) key.add("pieces proved apart", cell("#ffffff"));
-    const bool everywhere = has_degenerate(true), along_lines = has_degenerate(false);
-    if (everywhere) key.add("equation vanishes", Picture_legend::square(filled(picture::degenerate_hatch, picture::degenerate, 0.6)));
-    if (along_lines) key.add("degenerate component", Picture_legend::line(stroke(picture::degenerate, 2.2, picture::dashes)));
+    if (has_degenerate(true))
+      key.add("equation vanishes", Picture_legend::square(filled(picture::degenerate_hatch, picture::degenerate, 0.6)));
+    if (has_degenerate(false))
+      key.add("degenerate component", Picture_legend::line(stroke(picture::degenerate, 2.2, picture::dashes)));
     if (!locus_.undecided().empty()) key.add("undecided", cell(picture::undecided_hatch));
   }
 

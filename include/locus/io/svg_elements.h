@@ -44,6 +44,8 @@ struct Picture_box {
     y0 -= high;
     y1 += high;
   }
+  /// Counterclockwise.
+  std::vector<Picture_point> corners() const { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
   double width() const { return x1 - x0; }
   double height() const { return y1 - y0; }
   double size() const { return std::max(width(), height()); }
@@ -125,7 +127,8 @@ inline std::string label_of(double x, int digits_shown = 4)
 /// Number of characters of a text in UTF-8.
 inline double letters(std::string_view s)
 {
-  return static_cast<double>(std::count_if(s.begin(), s.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  const auto is_first_byte = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+  return static_cast<double>(std::count_if(s.begin(), s.end(), is_first_byte));
 }
 
 inline std::string escaped(std::string_view s)

@@ -10,7 +10,8 @@ namespace locus {
 namespace detail {
 
 /// A closed polygon given by offsets in pixels.
-inline void svg_shape(std::ostream& out, const Picture_point& at, const std::vector<Picture_point>& offsets, const std::string& style)
+inline void svg_shape(std::ostream& out, const Picture_point& at, const std::vector<Picture_point>& offsets,
+                      const std::string& style)
 {
   std::string d;
   for (const Picture_point& o : offsets) d += (d.empty() ? "M" : "L") + pixels(Picture_point{at.x + o.x, at.y + o.y});
@@ -58,8 +59,8 @@ inline void svg_joint(std::ostream& out, const Picture_point& at, const Picture_
   const double length = std::hypot(along.x, along.y);
   if (!(length > 0) || !std::isfinite(length)) return;
   const Picture_point across{-5 * along.y / length, 5 * along.x / length};
-  svg_path(out, "M" + pixels(Picture_point{at.x - across.x, at.y - across.y}) + "L" + pixels(Picture_point{at.x + across.x, at.y + across.y}),
-           stroke(colour, 1.4));
+  const Picture_point from{at.x - across.x, at.y - across.y}, to{at.x + across.x, at.y + across.y};
+  svg_path(out, "M" + pixels(from) + "L" + pixels(to), stroke(colour, 1.4));
 }
 
 } // namespace detail

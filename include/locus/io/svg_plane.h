@@ -116,7 +116,8 @@ private:
       const Picture_point at = curve.at_place(after), p = curve.at_place(before - beside), q = curve.at_place(after + beside);
       if (curve.joints()[j].kind == Joint_kind::pole || !panel_.box().contains(at)) continue;
       const Picture_point from = panel_.at(p), to = panel_.at(q);
-      svg_joint(out_, panel_.at(at), {to.x - from.x, to.y - from.y}, curve.joints()[j].kind == Joint_kind::corner, input_colour(k));
+      const bool corner = curve.joints()[j].kind == Joint_kind::corner;
+      svg_joint(out_, panel_.at(at), {to.x - from.x, to.y - from.y}, corner, input_colour(k));
     }
   }
 
@@ -138,8 +139,8 @@ private:
     const Pictured_curve& curve = scene_.curves[k];
     const std::string name = scene_.parameter_name(k);
     if (curve.is_closed() && !curve.is_pole(0, false)) {
-      const std::string values = curve.is_finite() ? label_of(curve.start(), 3) + ", " + label_of(curve.finish(), 3) : label_of(curve.finish());
-      write_seam(k, name + " = " + values);
+      const std::string first = curve.is_finite() ? label_of(curve.start(), 3) + ", " : "";
+      write_seam(k, name + " = " + first + label_of(curve.finish(), 3));
       return;
     }
     const auto last = static_cast<std::size_t>(curve.size()) - 1;

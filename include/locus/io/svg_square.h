@@ -87,7 +87,7 @@ public:
   {
     const Picture_box b = square.box();
     if (square.is_self) return {{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}};
-    return {{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}};
+    return b.corners();
   }
 
 private:
@@ -165,11 +165,9 @@ private:
 
   void write_triangle()
   {
-    const Picture_box& b = panel_.box();
     svg_path(out_, panel_.polygon(outline(square_)), stroke(picture::frame, 1));
-    out_ << "<line class=\"diagonal\"" << attribute("x1", panel_.at({b.x0, b.y0}).x) << attribute("y1", panel_.at({b.x0, b.y0}).y)
-         << attribute("x2", panel_.at({b.x1, b.y1}).x) << attribute("y2", panel_.at({b.x1, b.y1}).y) << " stroke=\"" << picture::faint_ink
-         << "\" stroke-width=\"1.2\"/>\n";
+    const Picture_box& b = panel_.box();
+    svg_path(out_, panel_.path({{b.x0, b.y0}, {b.x1, b.y1}}), stroke(picture::faint_ink, 1.2, " class=\"diagonal\""));
   }
 
   /// A ring around undecided boxes that are too small to be seen.
