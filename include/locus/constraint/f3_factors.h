@@ -150,6 +150,9 @@ inline void divide_causes_by_diagonal(F3_problem& p, const Diagonal& line)
       rest.push_back(equation->exact().is_zero() ? Diagonal_quotient{equation->exact(), 0} : divided_by_diagonal(equation->exact(), line));
       equation = std::make_shared<Polynomial_equation<2>>(rest.back().rest);
     }
+  // On the line itself the curves' inflections have a tangent in common, which is no pole.
+  for (Cause<2>& cause : p.system.causes)
+    cause.leave_out = [equations = cause.equations, line](const Isolated_solution<2>& s) { return lies_on_diagonal(s, equations, line); };
   // The equations of both causes: both coordinates of e, Im(e ā), Im(e b̄).
   if (rest[0].multiplicity == 1 && rest[1].multiplicity == 1 && rest[2].multiplicity == 2)
     p.contact = Contact_form{{std::move(rest[0].rest), std::move(rest[1].rest)}, std::move(rest[2].rest), {0, 0}};

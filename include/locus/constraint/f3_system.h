@@ -73,23 +73,25 @@ inline std::function<bool(const Isolated_solution<2>&)> on_chart_edges(const Cor
   };
 }
 
-/// A problem's polynomials in powers of the distances from a corner: F3, both coordinates of e, Im(e ā), Im(e b̄).
+/// A problem's polynomials in powers of the distances from a corner: F3, both coordinates of e, the equations of the poles,
+/// and Im(e ā).
 struct Corner_forms {
   Corner_expansion f;
-  std::array<Corner_expansion, 2> chord, turn;
+  std::array<Corner_expansion, 2> chord, poles;
+  Corner_expansion turn;
 };
 
 inline std::optional<Contact_form> contact_at_corner(const Corner_forms& forms, const Corner_chart& chart)
 {
-  if (forms.turn[0].is_zero() || (forms.chord[0].is_zero() && forms.chord[1].is_zero())) return std::nullopt;
-  const std::array<int, 2> x = forms.chord[0].order_on(chart), y = forms.chord[1].order_on(chart), turn = forms.turn[0].order_on(chart);
-  std::array<int, 2> chord{}, power{};
+  if (forms.turn.is_zero() || (forms.chord[0].is_zero() && forms.chord[1].is_zero())) return std::nullopt;
+  const std::array<int, 2> x = forms.chord[0].order_on(chart), y = forms.chord[1].order_on(chart), most = forms.turn.order_on(chart);
+  std::array<int, 2> chord{}, turn{}, power{};
   for (std::size_t v = 0; v < 2; ++v) {
     chord[v] = forms.chord[0].is_zero() ? y[v] : forms.chord[1].is_zero() ? x[v] : std::min(x[v], y[v]);
+    turn[v] = std::min(most[v], 2 * chord[v]); // what is left of it vanishes where the bisector goes to infinity
     power[v] = 2 * chord[v] - turn[v];
-    if (power[v] < 0) return std::nullopt; // the bisector goes to infinity there
   }
-  return Contact_form{{forms.chord[0].on(chart, chord), forms.chord[1].on(chart, chord)}, forms.turn[0].on(chart), power};
+  return Contact_form{{forms.chord[0].on(chart, chord), forms.chord[1].on(chart, chord)}, forms.turn.on(chart, turn), power};
 }
 
 /// One chart of a problem whose corner is blown up. Every equation is divided by the chart's coordinates as often as that
@@ -101,7 +103,7 @@ inline F3_problem on_chart(const F3_problem& plain, const Corner_forms& forms, c
   const auto equation = [&](const Corner_expansion& f) { return std::make_shared<Polynomial_equation<2>>(f.on(chart)); };
   p.system.equations[0] = equation(forms.f);
   for (std::size_t c = 0; c < 2; ++c) {
-    const auto& pair = c == 0 ? forms.chord : forms.turn;
+    const auto& pair = c == 0 ? forms.chord : forms.poles;
     p.system.causes[c].equations = {equation(pair[0]), equation(pair[1])};
     p.system.causes[c].leave_out = on_chart_edges(chart, has_axis);
   }
@@ -186,7 +188,8 @@ inline Corner_forms corner_forms(const F3_problem& p, const std::array<int, 2>& 
   const auto& c = p.system.causes;
   return {expansion(*p.system.equations[0]),
           {expansion(*c[0].equations[0]), expansion(*c[0].equations[1])},
-          {expansion(*c[1].equations[0]), expansion(*c[1].equations[1])}};
+          {expansion(*c[1].equations[0]), expansion(*c[1].equations[1])},
+          expansion(*c[1].equations[0])};
 }
 
 } // namespace detail
@@ -233,17 +236,21 @@ inline std::vector<F3_problem> f3_corner_problems(std::shared_ptr<const Planar_c
   const bool as_built = plain.system.known_factors.empty() && !plain.first->is_circle() && !plain.second->is_circle();
   Scaled_form f = as_built ? detail::scaled_form<F3_form>(*plain.first, *plain.second) : Scaled_form(plain.system.equations[0]->exact());
   if (f.is_zero()) return {plain};
-  // An axis of another ratio than 1 is no ray of a chart: it stays in F3.
-  const int multiplicity = detail::divide_by_diagonal(f, {corner[0] != corner[1], 1});
+  const bool reversed = corner[0] != corner[1];
+  const Rational ratio = detail::matching_ratio(*plain.first, *plain.second, reversed).value_or(1);
+  Scaled_form rest = f;
+  const int multiplicity = detail::divide_by_diagonal(rest, {reversed, ratio});
   if (multiplicity > 1) return {f3_problem(plain.first, plain.second)};
-  const bool has_axis = multiplicity == 1;
+  const bool has_axis = multiplicity == 1 && ratio == 1; // along another curve an axis is no ray of a chart: it stays in F3
+  if (has_axis) f = std::move(rest);
   plain.degrees = {f.degree(0), f.degree(1)};
   const auto expansion = [&](Scaled_form g) { return Corner_expansion(std::move(g), corner); };
   const auto of_cause = [&](std::size_t cause, std::size_t k) { return expansion(Scaled_form(plain.system.causes[cause].equations[k]->exact())); };
   const detail::Corner_forms forms{expansion(std::move(f)),
                                    {expansion(detail::scaled_form<Difference_form<false>>(*plain.first, *plain.second)),
                                     expansion(detail::scaled_form<Difference_form<true>>(*plain.first, *plain.second))},
-                                   {of_cause(1, 0), of_cause(1, 1)}};
+                                   {of_cause(1, 0), of_cause(1, 1)},
+                                   expansion(detail::scaled_form<First_tangent_form>(*plain.first, *plain.second))};
   std::vector<Corner_chart> charts;
   for (const bool first_side : {true, false}) detail::collect_charts(forms.f, Corner_chart::at(corner, first_side), 0, charts);
   std::vector<F3_problem> problems;

@@ -85,15 +85,16 @@ inline Curve_graph solve_f3(const F3_problem& problem, const Solve_control& cont
 /// Solves F3 = 0 on all pairs of pieces that are not purged, patch by patch.
 class Patch_maker {
 public:
-  Patch_maker(const Planar_pieces& first, const Planar_pieces& second, const Solve_control& control, Cell_keeper* keeper)
-    : first_(first), second_(second), control_(control), keeper_(keeper)
+  /// The pairs are those of one curve's pieces where `is_self`.
+  Patch_maker(const Planar_pieces& first, const Planar_pieces& second, bool is_self, const Solve_control& control, Cell_keeper* keeper)
+    : first_(first), second_(second), is_self_(is_self), control_(control), keeper_(keeper)
   {
   }
 
-  void solve_pair(std::size_t i, std::size_t j, bool is_self)
+  void solve_pair(std::size_t i, std::size_t j)
   {
     const auto &a = first_.curves[i], &b = second_.curves[j];
-    if (is_self && i == j) return solve_self(i);
+    if (is_self_ && i == j) return solve_self(i);
     if (are_apart(first_.bounds[i], second_.bounds[j])) return;
     const auto corners = touching_corners(*a, *b);
     if (corners.empty()) return solve(f3_problem(a, b), i, j);
@@ -144,6 +145,7 @@ private:
     note_degenerate(problem, patch, planar_patch);
     if (is_nothing(patch.graph) && problem.degenerate.empty()) return;
     mark_vertices(problem, patch);
+    patch.joins_final = !is_self_;
     if (problem.is_self && problem.chart.is_plain()) drop_mirror_half(patch);
     if (!patch.graph.pieces.empty() || !patch.graph.vertices.empty())
       if (problem.contact)
@@ -234,6 +236,7 @@ private:
   }
 
   const Planar_pieces &first_, &second_;
+  bool is_self_;
   const Solve_control& control_;
   Cell_keeper* keeper_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -23,7 +23,8 @@ struct Patch {
   std::size_t cell = 0;              ///< which cell of the domain
   std::vector<char> dropped;         ///< pieces that do not belong to the answer; may be empty
   std::vector<char> is_pole;         ///< vertices where what the zero set stands for goes to infinity
-  std::vector<char> is_final;        ///< vertices where arcs end for good (at a corner that is blown up, on a diagonal)
+  std::vector<char> is_final;        ///< vertices where arcs end: at a corner that is blown up, on a diagonal
+  bool joins_final = false;          ///< whether two arcs that end at one such corner are one arc
 
   bool is_dropped(std::size_t piece) const { return !dropped.empty() && dropped[piece]; }
 
@@ -158,7 +159,7 @@ private:
     for (std::size_t p = 0; p < work_.patches.size(); ++p) {
       const Patch& patch = work_.patches[p];
       for (std::size_t v = 0; v < patch.graph.vertices.size(); ++v) {
-        if (patch.is_final[v]) continue;
+        if (patch.is_final[v] && !patch.joins_final) continue;
         const std::array<Interval, 2> at = patch.local(v);
         for (std::size_t k = 0; k < 2; ++k)
           for (int end = 0; end < 2; ++end)
@@ -300,7 +301,7 @@ private:
       is_boundary = is_boundary || ends_here_.count(id(m)) != 0 || is_on_boundary(m);
     }
     const std::size_t n = degree(v);
-    if (v.is_final) v.kind = Kind::boundary;
+    if (v.is_final) v.kind = n == 2 && !v.is_pole && patch(v.members[0]).joins_final ? Kind::crossing : Kind::boundary;
     else if (n > 2 || (is_crossing_point && n == 2)) v.kind = Kind::node;
     else if (v.is_pole) v.kind = Kind::mark;
     else if (n == 0 && is_isolated) v.kind = Kind::isolated;
