@@ -617,6 +617,16 @@ public:
 
 } // namespace
 
+TEST_CASE("of a self-bisector the greater parameter comes first, whatever rounding says")
+{
+  using Values = std::vector<double>;
+  CHECK(detail::picked_parameters({{0.5, 0.75}, {0.5, 1}}, true) == Values{0.5, 0.5});
+  CHECK(detail::picked_parameters({{0.25, 0.5}, {0.5, 1}}, true) == Values{0.5, 0.5});
+  CHECK(detail::picked_parameters({{0.5, 0.75}, {0.5, 1}}, false) == Values{0.625, 0.75});
+  CHECK(detail::picked_parameters({{0.5, 1}, {0, 0.5}}, true) == Values{0.75, 0.25});
+  CHECK(detail::picked_parameters({{0, 0.25}, {0.5, 1}}, true) == Values{0.125, 0.75}); // no rounding: nothing to hide
+}
+
 TEST_CASE("infinite parameters of a result are strings")
 {
   using Json = nlohmann::json;

@@ -185,12 +185,21 @@ void write_vertex(Json_writer& json, const Locus_vertex<Dim>& v)
   json.close('}');
 }
 
-template <int Dim>
-void write_arc_point(Json_writer& json, const Arc_point<Dim>& p)
+/// A value of each range. Of a self-bisector the first is not less than the second, also where rounding might have it so.
+inline std::vector<double> picked_parameters(const std::vector<Range>& ranges, bool is_self)
 {
-  json.open('{').key("parameters").open('[');
-  for (const Range& r : p.parameters()) json.value(picked(r));
-  json.close(']').key("point").value(p.point()).key("radius").value(p.radius()).close('}');
+  std::vector<double> values;
+  for (const Range& r : ranges) values.push_back(picked(r));
+  if (is_self && values[0] < values[1] && ranges[1].lo <= ranges[0].hi)
+    values[0] = values[1] = std::max(ranges[0].lo, ranges[1].lo);
+  return values;
+}
+
+template <int Dim>
+void write_arc_point(Json_writer& json, const Arc_point<Dim>& p, bool is_self)
+{
+  json.open('{').key("parameters").list(picked_parameters(p.parameters(), is_self));
+  json.key("point").value(p.point()).key("radius").value(p.radius()).close('}');
 }
 
 template <int Dim>
@@ -206,16 +215,17 @@ void write_arc(Json_writer& json, const Arc<Dim>& arc, const Polyline<Dim>& poly
   json.key("error");
   if (std::isfinite(polyline.error())) json.value(polyline.error());
   else json.null();
+  const bool is_self = arc.inputs().size() == 2 && arc.inputs()[0] == arc.inputs()[1];
   const Irregular_points<Dim> irregular = arc.irregular();
   json.key("irregular").open('[');
-  for (const Arc_point<Dim>& p : irregular.points) write_arc_point(json, p);
+  for (const Arc_point<Dim>& p : irregular.points) write_arc_point(json, p, is_self);
   json.close(']');
   if (!irregular.complete) json.key("irregular_complete").value(false);
   json.key("samples").open('[');
   // Without a bound for the whole, only points that are good by themselves are given.
   const double limit = std::isfinite(polyline.error()) ? polyline.error() : largest_point_error;
   for (const Arc_point<Dim>& p : polyline)
-    if (p.error() <= limit) write_arc_point(json.line(6), p);
+    if (p.error() <= limit) write_arc_point(json.line(6), p, is_self);
   json.close(']').close('}');
 }
 
