@@ -470,10 +470,10 @@ class Curve:
             return None, None
         return (x / w, y / w), [(dx * w - x * dw, dy * w - y * dw) for (x, dx), (y, dy), (w, dw) in sides]
 
-    def is_cusp(self, u):
-        """Does the curve stand still? Then it may reverse, and is cut there."""
-        tangents = self.at(u)[1]
-        return tangents is not None and any(x == y == 0 for x, y in tangents)
+    def reverses(self, lo, hi):
+        """Does the curve stand still in a narrow range, or turn back? There it is cut."""
+        (ax, ay), (bx, by) = self.at(lo)[1][0], self.at(hi)[1][0]
+        return ax * bx + ay * by <= 0
 
 
 KEYS = ["compute", "trimmed", "status", "tolerance", "scale", "cut_radius", "centre", "components", "equations", "vertices", "arcs", "regions", "degenerate",
@@ -604,7 +604,7 @@ def check_vertex(where, i, v, data, curves, inputs):
 def check_feature(where, c, feature, lo, hi):
     check(feature in ("interior", "start", "end", "corner"), f"{where}: feature {feature}")
     if feature == "corner":
-        check(c.is_knot(lo, hi) or c.is_cusp(lo), f"{where}: a corner inside a span, at [{lo}, {hi}]")
+        check(c.is_knot(lo, hi) or c.reverses(lo, hi), f"{where}: a corner inside a span, at [{lo}, {hi}]")
     elif feature != "interior":
         end = c.lo if feature == "start" else c.hi
         check(lo <= end <= hi and (hi == lo or hi == math.nextafter(lo, math.inf)), f"{where}: {feature} at [{lo}, {hi}]")
@@ -635,7 +635,7 @@ def check_samples(where, arc, data, curves):
         off = max((abs(d - s["radius"]) for d in distances if not math.isinf(d)), default=0)
         if not check(off <= 1e-6 * max(scale, s["radius"]) + 8 * max(map(math.ulp, s["point"])), f"{where}: sample {s} is off by {off:.2g}"):
             break
-    every = max(1, len(samples) // 300)
+    every = max(1, len(samples) // 80)
     for s in samples[::every] + samples[-1:] + arc["irregular"]:
         u = parameters_of(s)
         check(len(u) == 2 and all(c.contains(x, x) for c, x in zip(curves, u)), f"{where}: parameters {u}")
