@@ -638,14 +638,14 @@ TEST_CASE("known factors of F3 are divided out, listed, and nothing else is", "[
       REQUIRE(same.degenerate.size() == 1u);
       CHECK(same.degenerate[0].kind == Kind::overlap);
       CHECK(same.degenerate[0].multiplicity == 4);
-      CHECK(same.degenerate[0].reversed == reverse);
+      CHECK(same.degenerate[0].line.reversed == reverse);
     }
     // Mirror images: one factor, an axis; a third of a degree away: none.
     const Control_curve bow = curve_of({{"0", "1"}, {"1", "3"}, {"2", "1/2"}, {"3", "2"}}), image = mirrored_in_x_axis(bow);
     CHECK(problem(bow, image).axis.has_value());
-    CHECK_FALSE(problem(bow, image).axis_reversed);
+    CHECK_FALSE(problem(bow, image).axis_line.reversed);
     CHECK(problem(bow, reversed(image)).axis.has_value());
-    CHECK(problem(bow, reversed(image)).axis_reversed);
+    CHECK(problem(bow, reversed(image)).axis_line.reversed);
     CHECK(problem(bow, image).degenerate.empty());
     Control_curve off = image;
     off.points[2][1] += two_to(-40);

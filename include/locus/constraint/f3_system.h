@@ -212,9 +212,9 @@ inline F3_problem f3_self_problem(const std::shared_ptr<const Planar_curve>& pie
   return p;
 }
 
-/// The same for a piece that is infinite at one end (0 or 1): there the corner of the diagonal is blown up, and the charts
-/// cover t ≥ r with the diagonal as an edge.
-inline std::vector<F3_problem> f3_infinite_self_problems(const std::shared_ptr<const Planar_curve>& piece, int end)
+/// The same for a piece that is infinite or stands still at one end (0 or 1): there the corner of the diagonal is blown up, and
+/// the charts cover t ≥ r with the diagonal as an edge.
+inline std::vector<F3_problem> f3_self_corner_problems(const std::shared_ptr<const Planar_curve>& piece, int end)
 {
   F3_problem p = detail::undecorated_self_problem(piece);
   if (p.system.equations[0]->exact().is_zero()) return {p};

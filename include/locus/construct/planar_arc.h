@@ -300,7 +300,7 @@ private:
       draft.points.push_back(reversed ? a.placed : b.placed);
       return;
     }
-    const double wanted = std::isfinite(error) ? std::ceil(1.1 * std::sqrt(error / draft.tolerance)) : 2.0;
+    const double wanted = std::isfinite(error) ? std::ceil(1.1 * std::sqrt(error / draft.tolerance)) : 4.0;
     const int parts = static_cast<int>(std::min(16.0, std::max(2.0, wanted)));
     const auto pivot = static_cast<std::size_t>(e.pivot());
     std::vector<Knot> knots{a};

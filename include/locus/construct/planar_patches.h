@@ -6,6 +6,7 @@
 #include <locus/construct/planar_pieces.h>
 #include <locus/zero_set/curve_solver.h>
 #include <locus/zero_set/overlay.h>
+#include <locus/zero_set/piece_evaluation.h>
 
 #include <chrono>
 
@@ -120,8 +121,8 @@ private:
   {
     const auto& piece = first_.curves[i];
     for (int end = 0; end < 2; ++end)
-      if (piece->is_infinite_at(end)) {
-        for (const F3_problem& problem : f3_infinite_self_problems(piece, end)) solve(problem, i, i);
+      if (squared_speed(*piece, end) == 0) {
+        for (const F3_problem& problem : f3_self_corner_problems(piece, end)) solve(problem, i, i);
         return;
       }
     solve(f3_self_problem(piece), i, i);
@@ -144,8 +145,7 @@ private:
     has_axis = has_axis || problem.axis || is_axis;
     note_degenerate(problem, patch, planar_patch);
     if (is_nothing(patch.graph) && problem.degenerate.empty()) return;
-    mark_vertices(problem, patch);
-    patch.joins_final = !is_self_;
+    mark_vertices(problem, i, j, patch);
     if (problem.is_self && problem.chart.is_plain()) drop_mirror_half(patch);
     if (!patch.graph.pieces.empty() || !patch.graph.vertices.empty())
       if (problem.contact)
@@ -196,29 +196,66 @@ private:
     to.filter += s.filter;
   }
 
-  /// Poles of the map to the plane (common tangents, infinite feet), and places where arcs end for good.
-  void mark_vertices(const F3_problem& problem, Patch& patch) const
+  /// Poles of the map to the plane, and places where a diagonal or a blown-up corner ends arcs.
+  void mark_vertices(const F3_problem& problem, std::size_t i, std::size_t j, Patch& patch) const
   {
     const std::size_t n = patch.graph.vertices.size();
     patch.is_pole.assign(n, 0);
     patch.is_final.assign(n, 0);
-    const auto is_exactly = [](const Interval& x, int end) { return x.inf() == end && x.sup() == end; };
+    patch.is_corner.assign(n, 0);
     for (std::size_t v = 0; v < n; ++v) {
       const Graph_vertex& vertex = patch.graph.vertices[v];
       const int tag = vertex.cause >= 0 ? patch.graph.special[static_cast<std::size_t>(vertex.cause)].tag : tag_of(F3_cause::meeting);
       const std::array<Interval, 2> at = patch.local(v);
-      patch.is_pole[v] = tag == tag_of(F3_cause::pole);
-      patch.is_final[v] = tag == tag_of(F3_cause::diagonal);
-      for (int end = 0; end < 2; ++end) {
-        patch.is_pole[v] = patch.is_pole[v] || (is_exactly(at[0], end) && problem.first->is_infinite_at(end)) ||
-                           (is_exactly(at[1], end) && problem.second->is_infinite_at(end));
-        patch.is_final[v] = patch.is_final[v] || (problem.is_self && is_exactly(at[0], end) && is_exactly(at[1], end));
-      }
-      for (std::size_t k = 0; k < 2; ++k) // the diagonal as an edge of a chart
-        patch.is_final[v] = patch.is_final[v] || (problem.is_self && !problem.chart.is_plain() && is_exactly(vertex.at[k], 1) &&
-                                                  problem.chart.ray(k) == std::array<int, 2>{1, 1});
-      patch.is_final[v] = patch.is_final[v] || (!problem.chart.is_plain() && is_exactly(at[0], problem.chart.corner[0]) && is_exactly(at[1], problem.chart.corner[1]));
+      const auto is_at = [&](int first, int second) { return is_exactly(at[0], first) && is_exactly(at[1], second); };
+      const bool is_blown_up = !problem.chart.is_plain() && is_at(problem.chart.corner[0], problem.chart.corner[1]);
+      patch.is_final[v] = tag == tag_of(F3_cause::diagonal) || is_on_diagonal_edge(problem, vertex) ||
+                          (problem.is_self && (is_at(0, 0) || is_at(1, 1))) || (is_blown_up && is_on_diagonal(problem, i, j));
+      patch.is_corner[v] = is_blown_up && !patch.is_final[v];
+      patch.is_pole[v] = tag == tag_of(F3_cause::pole) || has_infinite_foot(problem, at) || has_infinite_limit(problem, vertex);
     }
+  }
+
+  static bool is_exactly(const Interval& x, int end) { return x.inf() == end && x.sup() == end; }
+
+  static bool has_infinite_foot(const F3_problem& problem, const std::array<Interval, 2>& at)
+  {
+    for (int end = 0; end < 2; ++end)
+      if ((is_exactly(at[0], end) && problem.first->is_infinite_at(end)) || (is_exactly(at[1], end) && problem.second->is_infinite_at(end)))
+        return true;
+    return false;
+  }
+
+  /// The feet come together where the curvature vanishes: decided exactly, at vertices with exact coordinates.
+  static bool has_infinite_limit(const F3_problem& problem, const Graph_vertex& vertex)
+  {
+    if (!problem.contact) return false;
+    std::array<Rational, 2> at;
+    for (std::size_t v = 0; v < 2; ++v) {
+      if (vertex.at[v].inf() != vertex.at[v].sup()) return false;
+      at[v] = Rational(vertex.at[v].inf());
+      if (problem.contact->power[v] > 0 && at[v] == 0) return false;
+    }
+    const auto& chord = problem.contact->chord;
+    return evaluate(problem.contact->turn, at) == 0 && (evaluate(chord[0], at) != 0 || evaluate(chord[1], at) != 0);
+  }
+
+  /// The diagonal as an edge of a chart of a piece with itself.
+  static bool is_on_diagonal_edge(const F3_problem& problem, const Graph_vertex& vertex)
+  {
+    for (std::size_t k = 0; k < 2; ++k)
+      if (problem.is_self && !problem.chart.is_plain() && is_exactly(vertex.at[k], 1) && problem.chart.ray(k) == std::array<int, 2>{1, 1}) return true;
+    return false;
+  }
+
+  /// Whether a blown-up corner of a cell is one point of the curve, reached from both sides: at a joint or at the seam.
+  bool is_on_diagonal(const F3_problem& problem, std::size_t i, std::size_t j) const
+  {
+    if (!is_self_) return false;
+    const std::array<int, 2>& corner = problem.chart.corner;
+    if (i == j) return corner[0] == corner[1];
+    const bool joint = i == j + 1 && corner[0] == 0 && corner[1] == 1;
+    return joint || (j == 0 && i + 1 == first_.size() && corner[0] == 1 && corner[1] == 0 && first_.chain.is_closed());
   }
 
   /// Of a piece with itself only t > r is kept.

@@ -115,9 +115,12 @@ private:
     vertex.kind = kind_of(from, vertex);
     if (vertex.kind == Vertex_kind::infinity) {
       add_asymptote(patch, local, vertex);
+    } else if (from.is_corner && vertex.kind == Vertex_kind::node) {
+      place_at_contact(patch, local, vertex);
     } else {
       const Placed placed = place(patch, at);
-      if (diameter(placed.point) <= largest_vertex_error * s_->scale) {
+      const double far = std::hypot(mignitude(placed.point.x - Interval(s_->centre.x)), mignitude(placed.point.y - Interval(s_->centre.y)));
+      if (diameter(placed.point) <= largest_vertex_error * std::max(s_->scale, far)) {
         const Arc_point<2> p = finished(*s_, placed);
         vertex.point = p.point();
         vertex.radius = p.radius();
@@ -128,7 +131,8 @@ private:
     data_.vertices.push_back(std::move(vertex));
   }
 
-  /// Beyond this part of the inputs' diameter a vertex's point is not given: where the curves touch, both formulas are 0/0.
+  /// Beyond this part of the inputs' diameter, or of its distance if that is greater, the error of a vertex's point is too
+  /// great to give it: where the curves touch, both formulas are 0/0.
   static constexpr double largest_vertex_error = 1e-3;
 
   void report(const Planar_patch& patch, const std::array<Interval, 2>& at, std::string reason)
@@ -145,6 +149,16 @@ private:
       for (const Undecided_box& u : s_->work.patches[p].graph.undecided)
         report(s_->patches[p], {Interval(u.box.lo[0], u.box.hi[0]), Interval(u.box.lo[1], u.box.hi[1])}, u.reason);
     for (const auto& [member, reason] : s_->work.undecided) report(patch(member), place_of(member), reason);
+  }
+
+  /// Where the curves touch, the branches of one place of the parameters have different limits: the vertex is put where the
+  /// curves touch, as if the circle had shrunk to that point.
+  void place_at_contact(const Planar_patch& patch, const std::array<Interval, 2>& local, Locus_vertex<2>& vertex) const
+  {
+    const Vector_2<Interval> foot = patch.map.first().point(local[0]);
+    vertex.point.emplace();
+    (*vertex.point)[0] = representative(s_->frame.out_of(foot.x, 0));
+    (*vertex.point)[1] = representative(s_->frame.out_of(foot.y, 1));
   }
 
   /// At a common tangent line the locus goes to infinity along the perpendicular bisector of the two contact points; at an

@@ -23,8 +23,8 @@ struct Patch {
   std::size_t cell = 0;              ///< which cell of the domain
   std::vector<char> dropped;         ///< pieces that do not belong to the answer; may be empty
   std::vector<char> is_pole;         ///< vertices where what the zero set stands for goes to infinity
-  std::vector<char> is_final;        ///< vertices where arcs end: at a corner that is blown up, on a diagonal
-  bool joins_final = false;          ///< whether two arcs that end at one such corner are one arc
+  std::vector<char> is_final;        ///< vertices where arcs end for good, each by itself: on a diagonal
+  std::vector<char> is_corner;       ///< vertices at a corner that is blown up
 
   bool is_dropped(std::size_t piece) const { return !dropped.empty() && dropped[piece]; }
 
@@ -54,6 +54,7 @@ struct Patchwork_vertex {
   Graph_vertex::Kind kind = Graph_vertex::Kind::crossing;
   bool is_final = false;  ///< of a member
   bool is_pole = false;   ///< of a member
+  bool is_corner = false; ///< of a member
   std::vector<Member> members;
   std::vector<Piece_ref> half_branches; ///< in cyclic order, at nodes
 };
@@ -159,7 +160,7 @@ private:
     for (std::size_t p = 0; p < work_.patches.size(); ++p) {
       const Patch& patch = work_.patches[p];
       for (std::size_t v = 0; v < patch.graph.vertices.size(); ++v) {
-        if (patch.is_final[v] && !patch.joins_final) continue;
+        if (patch.is_final[v]) continue;
         const std::array<Interval, 2> at = patch.local(v);
         for (std::size_t k = 0; k < 2; ++k)
           for (int end = 0; end < 2; ++end)
@@ -228,12 +229,14 @@ private:
 
   void match_groups(const Side_list& a, const Side_list& b)
   {
-    if (a.size() == b.size()) {
+    const auto is_corner = [&](const On_side& x) { return patch(x.member).is_corner[x.member.vertex] != 0; };
+    const bool at_corner = std::any_of(a.begin(), a.end(), is_corner) || std::any_of(b.begin(), b.end(), is_corner);
+    if (a.size() == b.size() && !at_corner) {
       for (std::size_t k = 0; k < a.size(); ++k) unite(a[k].member, b[k].member);
       return;
     }
-    // Several graphs of one cell (a factor solved apart) may have the same place.
-    if (a.size() == 1 || b.size() == 1) {
+    // Several graphs of one cell (a factor solved apart, the charts at a corner) may have the same place.
+    if (a.size() == 1 || b.size() == 1 || at_corner) {
       for (const On_side& x : a)
         for (const On_side& y : b) unite(x.member, y.member);
       return;
@@ -290,21 +293,23 @@ private:
   void settle(Patchwork_vertex& v)
   {
     using Kind = Graph_vertex::Kind;
-    bool is_open = false, is_boundary = false, is_crossing_point = false, is_isolated = false;
+    bool is_open = false, is_boundary = false, is_crossing_point = false, is_isolated = false, is_corner = false;
     for (const Member& m : v.members) {
       const Graph_vertex& g = vertex(m);
       is_open = is_open || g.kind == Kind::open;
       is_isolated = is_isolated || g.kind == Kind::isolated;
+      is_corner = is_corner || patch(m).is_corner[m.vertex];
       v.is_final = v.is_final || patch(m).is_final[m.vertex];
       v.is_pole = v.is_pole || patch(m).is_pole[m.vertex];
       is_crossing_point = is_crossing_point || g.kind == Kind::node || g.kind == Kind::end;
       is_boundary = is_boundary || ends_here_.count(id(m)) != 0 || is_on_boundary(m);
     }
     const std::size_t n = degree(v);
-    if (v.is_final) v.kind = n == 2 && !v.is_pole && patch(v.members[0]).joins_final ? Kind::crossing : Kind::boundary;
+    v.is_corner = is_corner;
+    if (v.is_final) v.kind = Kind::boundary;
     else if (n > 2 || (is_crossing_point && n == 2)) v.kind = Kind::node;
     else if (v.is_pole) v.kind = Kind::mark;
-    else if (n == 0 && is_isolated) v.kind = Kind::isolated;
+    else if (n == 0 && is_isolated && !is_corner) v.kind = Kind::isolated;
     else if (n == 2 || n == 0) v.kind = Kind::crossing;
     else if (is_crossing_point) v.kind = Kind::end;
     else if (is_boundary) v.kind = Kind::boundary;
@@ -333,16 +338,71 @@ private:
   {
     std::vector<Sector> sectors;
     std::vector<Member> axis;
+    std::map<std::size_t, std::vector<Member>> corners; // by cell
     for (const Member& m : v.members) {
-      if (patch(m).chart.is_axis) axis.push_back(m);
+      if (patch(m).is_corner[m.vertex]) corners[patch(m).cell].push_back(m);
+      else if (patch(m).chart.is_axis) axis.push_back(m);
       else sectors.push_back(sector(m));
     }
+    for (const auto& [cell, members] : corners) sectors.push_back(corner_sector(members));
     if (!axis.empty()) return order_around_axis(v, axis);
     if (sectors.size() == 1) {
       v.half_branches = sectors[0].pieces;
       return;
     }
     walk(v, sectors);
+  }
+
+  /// Where a branch leaves a blown-up corner, counterclockwise from the side ρ = 0 as τ and ρ see it: the exceptional line by
+  /// its ray (p, q), on which τ^q : ρ^p is constant, then the place on it.
+  struct Departure {
+    std::array<int, 2> ray{1, 1};
+    int half = 0; ///< which of the two charts along that line
+    double place = 0;
+
+    bool operator<(const Departure& other) const
+    {
+      const int turn = ray[1] * other.ray[0] - ray[0] * other.ray[1]; // a greater q/p comes first
+      if (turn != 0) return turn > 0;
+      return half != other.half ? half < other.half : place < other.place;
+    }
+  };
+
+  Departure departure(const Member& m) const
+  {
+    const Corner_chart& chart = patch(m).chart;
+    Departure d;
+    if (chart.is_axis) return {{1, 1}, 0, 1};
+    for (std::size_t v = 0; v < 2; ++v) {
+      const std::array<int, 2> ray = chart.ray(1 - v), other = chart.ray(v);
+      if (!is_exactly(vertex(m).at[v], 0) || ray[0] == 0 || ray[1] == 0) continue;
+      const bool first_half = other[1] * ray[0] > ray[1] * other[0]; // the chart's other line comes before this one
+      const double x = midpoint(vertex(m).at[1 - v]);
+      d = {ray, first_half ? 0 : 1, first_half ? x : -x};
+    }
+    return d;
+  }
+
+  /// All branches that leave a cell's blown-up corner.
+  Sector corner_sector(std::vector<Member> members)
+  {
+    std::sort(members.begin(), members.end(), [&](const Member& a, const Member& b) { return departure(a) < departure(b); });
+    Sector s = corner_rays(patch(members[0]).cell, patch(members[0]).chart.corner);
+    for (const Member& m : members) s.pieces.insert(s.pieces.end(), incident_[id(m)].begin(), incident_[id(m)].end());
+    const auto& corner = patch(members[0]).chart.corner;
+    if (corner[0] != corner[1]) std::reverse(s.pieces.begin(), s.pieces.end());
+    return s;
+  }
+
+  /// The sector of a cell at one of its corners, still without branches: counterclockwise from one side to the other.
+  static Sector corner_rays(std::size_t cell, const std::array<int, 2>& end)
+  {
+    const auto ray = [&](std::size_t variable, bool ascending) { return Ray{Key{cell, variable, static_cast<std::size_t>(end[variable])}, ascending}; };
+    const bool horizontal_first = end[0] == end[1];
+    Sector s;
+    s.from = horizontal_first ? ray(1, end[0] == 0) : ray(0, end[1] == 0);
+    s.to = horizontal_first ? ray(0, end[1] == 0) : ray(1, end[0] == 0);
+    return s;
   }
 
   void walk(Patchwork_vertex& v, const std::vector<Sector>& sectors)
@@ -387,6 +447,7 @@ private:
 
   bool are_one(const Ray& a, const Ray& b) const
   {
+    if (a == b) return a.side[1] >= 2; // a line between two charts
     const auto partner = partner_.find(a.side);
     return a.ascending == b.ascending && partner != partner_.end() && partner->second == b.side;
   }
@@ -405,18 +466,34 @@ private:
       return Ray{Key{cell, static_cast<std::size_t>(variable), static_cast<std::size_t>(end[static_cast<std::size_t>(variable)])}, ascending};
     };
     if (end[0] >= 0 && end[1] >= 0) {
-      // A corner's sector lies counterclockwise from one side to the other.
-      const bool horizontal_first = end[0] == end[1];
-      s.from = horizontal_first ? ray(1, end[0] == 0) : ray(0, end[1] == 0);
-      s.to = horizontal_first ? ray(0, end[1] == 0) : ray(1, end[0] == 0);
+      Sector corner = corner_rays(cell, end);
+      corner.pieces = std::move(s.pieces);
+      return corner;
     } else if (end[0] >= 0) {
       s.from = ray(0, end[0] == 1);
       s.to = ray(0, end[0] == 0);
     } else if (end[1] >= 0) {
       s.from = ray(1, end[1] == 0);
       s.to = ray(1, end[1] == 1);
+    } else {
+      add_seam_rays(m, s);
     }
     return s;
+  }
+
+  /// The sector of a chart at a place on a line that it shares with another one.
+  void add_seam_rays(const Member& m, Sector& s) const
+  {
+    const Corner_chart& chart = patch(m).chart;
+    if (chart.is_plain()) return;
+    for (std::size_t v = 0; v < 2; ++v) {
+      if (!is_exactly(vertex(m).at[v], 1)) continue;
+      const std::array<int, 2> line = chart.ray(v);
+      const Key key{patch(m).cell, 2 + static_cast<std::size_t>(line[0]), static_cast<std::size_t>(line[1])};
+      const bool ascending_first = (v == 0) != chart.reverses();
+      s.from = Ray{key, ascending_first};
+      s.to = Ray{key, !ascending_first};
+    }
   }
 
   /// Half-branches counterclockwise, as the local parameters see it.
