@@ -724,7 +724,7 @@ EXPECTED = {  # job: status of the program, arcs, components, kinds of vertices 
     "ellipse_with_itself": (0, 2, 2, {"diagonal"}),  # both its axes
     "circle_with_itself": (0, 0, 0, set()),
     "nested_ellipses": (0, 2, 2, set()),  # two closed arcs
-    "disjoint_ellipses": (None, 4, 2, {"infinity"}),
+    "disjoint_ellipses": (0, 4, 2, {"infinity"}),
     "parabola_line": (0, 3, 3, {"boundary"}),
     "hyperbola_cubic": (0, 4, 4, {"boundary"}),
     "line_arc_chain_cubic": (0, 1, 1, {"boundary"}),  # goes on through both G1 knots

@@ -906,6 +906,29 @@ TEST_CASE("pictures of a curve with itself, of closed and of infinite curves")
   expect(pictured({polyline_2({{0, 0}, {1, 0}, {1, 1}}), segment_2({10, 10}, {11, 10})}), {"pieces proved apart"});
 }
 
+TEST_CASE("a picture's square: what it shows of a curve with itself, and where inputs overlap")
+{
+  detail::Parameter_square square;
+  CHECK(detail::Square_drawing::outline(square).size() == 4);
+  square.is_self = true;
+  const auto triangle = detail::Square_drawing::outline(square);
+  REQUIRE(triangle.size() == 3);
+  for (const auto& p : triangle) CHECK(p.x >= p.y);
+
+  const Curve_2 a = bezier_2({{0, 0}, {1, 2}, {3, 0}}), back = bezier_2({{3, 0}, {1, 2}, {0, 0}});
+  const std::string rising = "M732 576L1232 76\"", falling = "M732 76L1232 576\"", dashed = "stroke-dasharray=\"7 5\"";
+  const auto overlap_of = [&](const std::string& svg) {
+    for (std::size_t at = svg.find(dashed); at != std::string::npos; at = svg.find(dashed, at + 1)) {
+      const std::string path = svg.substr(svg.rfind('<', at), at - svg.rfind('<', at));
+      if (holds(path, rising)) return "t = r";
+      if (holds(path, falling)) return "t + r = 1";
+    }
+    return "none";
+  };
+  CHECK(overlap_of(svg_of(untrimmed_bisector(a, a), {a, a})) == std::string("t = r"));
+  CHECK(overlap_of(svg_of(untrimmed_bisector(a, back), {a, back})) == std::string("t + r = 1"));
+}
+
 TEST_CASE("a self-bisector's JSON has each pair once, the greater parameter first")
 {
   const Curve_2 spline = bspline_2(2, {{0, 0}, {1, 2}, {2, -1}, {3, 1}}, {0, 0, 0, 1, 2, 2, 2});
