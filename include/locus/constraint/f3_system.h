@@ -120,12 +120,15 @@ inline void collect_charts(const Corner_expansion& f, const Corner_chart& chart,
   for (const Corner_chart& part : chart.blown_up_again()) collect_charts(f, part, depth + 1, charts);
 }
 
-/// The values of an equation of a chart along the line between the charts, without multiple roots.
-inline std::shared_ptr<const Equation<2>> along_axis(const Equation<2>& f)
+/// The values of an equation of a chart along the line between the first two charts.
+inline Integer_polynomial along_axis(const Equation<2>& f) { return monomial_form(face(f.exact(), 0, true)); }
+
+/// Its different zeros but those of `without`, as an equation for x1.
+inline std::shared_ptr<const Equation<2>> zeros_along_axis(Integer_polynomial f, const Integer_polynomial& without)
 {
-  Integer_polynomial g = monomial_form(face(f.exact(), 0, true));
-  g = exact_quotient(g, gcd(g, derivative(g)));
-  return std::make_shared<Polynomial_equation<2>>(as_bivariate(bernstein_form(g).rational(), 1));
+  f = exact_quotient(f, gcd(f, derivative(f)));
+  if (degree(without) > 0) f = exact_quotient(f, gcd(f, without));
+  return std::make_shared<Polynomial_equation<2>>(as_bivariate(bernstein_form(f).rational(), 1));
 }
 
 /// The axis through a blown-up corner, with its crossings of the other factor and its poles.
@@ -138,20 +141,21 @@ inline F3_problem axis_through_corner(const F3_problem& on_first_chart, const Co
   p.system.name = "axis";
   const auto line = std::make_shared<Polynomial_equation<2>>(Bernstein<Rational, 2>(Degrees<2>{1, 0}, {-1, 1}));
   p.system.equations[0] = line;
-  const auto mark = [&](const char* name, F3_cause tag, const Equation<2>& f) {
+  const auto mark = [&](const char* name, F3_cause tag, std::shared_ptr<const Equation<2>> zeros) {
     Cause<2> cause;
     cause.name = name;
-    cause.equations = {line, along_axis(f)};
+    cause.equations = {line, std::move(zeros)};
     cause.proves = Claim_kind::isolated_box;
     cause.tag = tag_of(tag);
     cause.leave_out = on_chart_edges(p.chart, false);
     return cause;
   };
-  // Of the two equations of a pole either may contain the axis.
-  const auto& poles = on_first_chart.system.causes[1].equations;
-  const auto& pole = face(poles[0]->exact(), 0, true).is_zero() ? poles[1] : poles[0];
-  p.system.causes = {mark("the axis meets the other factor", F3_cause::axis, *on_first_chart.system.equations[0]),
-                     mark("common tangent line on the axis", F3_cause::pole, *pole)};
+  const auto &meeting = on_first_chart.system.causes[0].equations, &poles = on_first_chart.system.causes[1].equations;
+  // Of the two equations of a pole either may contain the axis; both vanish where the curves meet, too.
+  const Integer_polynomial pole = along_axis(face(poles[0]->exact(), 0, true).is_zero() ? *poles[1] : *poles[0]);
+  p.system.causes = {mark("the axis meets the other factor", F3_cause::axis, zeros_along_axis(along_axis(*on_first_chart.system.equations[0]), {})),
+                     mark("common tangent line on the axis", F3_cause::pole,
+                          zeros_along_axis(pole, gcd(along_axis(*meeting[0]), along_axis(*meeting[1]))))};
   p.degrees = {1, 1};
   p.contact = contact_at_corner(forms, p.chart);
   return p;
