@@ -234,6 +234,7 @@ struct Equation_info {
 };
 
 struct Locus_statistics {
+  std::size_t pairs = 0, purged_pairs = 0; ///< of the inputs' pieces: looked at, and done with by their bounds alone
   std::size_t cells = 0;
   std::uint64_t exact_cells = 0;
   Filter_counts filter;

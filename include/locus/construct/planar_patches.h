@@ -9,6 +9,7 @@
 #include <locus/zero_set/piece_evaluation.h>
 
 #include <chrono>
+#include <set>
 
 namespace locus {
 namespace detail {
@@ -96,7 +97,11 @@ public:
   {
     const auto &a = first_.curves[i], &b = second_.curves[j];
     if (is_self_ && i == j) return solve_self(i);
-    if (are_apart(first_.bounds[i], second_.bounds[j])) return;
+    ++pairs;
+    if (are_apart(first_.bounds[i], second_.bounds[j])) {
+      ++purged;
+      return;
+    }
     const auto corners = touching_corners(*a, *b);
     if (corners.empty()) return solve(f3_problem(a, b), i, j);
     for (const F3_problem& problem : f3_corner_problems(a, b, corners[0])) solve(problem, i, j);
@@ -114,6 +119,7 @@ public:
   std::vector<Note> notes;
   Degrees<2> degrees{0, 0};
   bool has_axis = false;
+  std::size_t pairs = 0, purged = 0; ///< of pieces: all, and those without any zero by their bounds
   Solve_statistics statistics;
 
 private:
@@ -279,31 +285,51 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Sides of the cells of two chains' product across which zero sets go on.
-inline std::vector<Glued_sides> glued_sides(const Planar_pieces& first, const Planar_pieces& second)
+/// The side of another cell that is one line with a side of cell (i, j), if the zero set goes on across it.
+inline std::optional<Glued_sides::Side> side_behind(const Planar_pieces& first, const Planar_pieces& second, std::size_t i, std::size_t j,
+                                                    int variable, int end)
 {
-  std::vector<Glued_sides> glued;
-  const std::size_t n = first.size(), m = second.size();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < m; ++j) {
-      if (first.goes_on_at(i, 1)) glued.push_back({{i * m + j, 0, 1}, {first.neighbour(i, 1) * m + j, 0, 0}});
-      if (second.goes_on_at(j, 1)) glued.push_back({{i * m + j, 1, 1}, {i * m + second.neighbour(j, 1), 1, 0}});
-    }
-  return glued;
+  const std::size_t m = second.size();
+  if (variable == 0) {
+    if (!first.goes_on_at(i, end)) return std::nullopt;
+    return Glued_sides::Side{first.neighbour(i, end) * m + j, 0, 1 - end};
+  }
+  if (!second.goes_on_at(j, end)) return std::nullopt;
+  return Glued_sides::Side{i * m + second.neighbour(j, end), 1, 1 - end};
 }
 
-/// The same for the cells (i, j), i ≥ j, of a chain with itself: across the seam the parameters change places.
-inline std::vector<Glued_sides> glued_sides_of_self(const Planar_pieces& pieces)
+/// The same for the cells (i, j), i ≥ j, of a chain with itself: across the seam the parameters change places. The sides of a
+/// cell (i, i) beyond the diagonal are not there.
+inline std::optional<Glued_sides::Side> side_behind_in_self(const Planar_pieces& pieces, std::size_t i, std::size_t j, int variable, int end)
 {
-  std::vector<Glued_sides> glued;
   const std::size_t n = pieces.size();
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      const std::size_t cell = i * n + j;
-      if (i + 1 < n && pieces.goes_on_at(i, 1)) glued.push_back({{cell, 0, 1}, {(i + 1) * n + j, 0, 0}});
-      if (i + 1 == n && pieces.goes_on_at(i, 1)) glued.push_back({{cell, 0, 1}, {j * n, 1, 0}});
-      if (j + 1 <= i && pieces.goes_on_at(j, 1)) glued.push_back({{cell, 1, 1}, {cell + 1, 1, 0}});
-    }
+  if (i == j && (variable == 0) == (end == 0)) return std::nullopt; // its sides t = 0 and r = 1 lie beyond the diagonal
+  if (variable == 0 && !pieces.goes_on_at(i, end)) return std::nullopt;
+  if (variable == 1 && !pieces.goes_on_at(j, end)) return std::nullopt;
+  if (variable == 0 && end == 1) return i + 1 < n ? Glued_sides::Side{(i + 1) * n + j, 0, 0} : Glued_sides::Side{j * n, 1, 0};
+  if (variable == 0) return Glued_sides::Side{(i - 1) * n + j, 0, 1};
+  if (end == 1) return Glued_sides::Side{i * n + j + 1, 1, 0};
+  return j > 0 ? Glued_sides::Side{i * n + j - 1, 1, 1} : Glued_sides::Side{(n - 1) * n + i, 0, 1};
+}
+
+/// All glued sides of the cells that have patches.
+inline std::vector<Glued_sides> glued_sides(const Planar_pieces& first, const Planar_pieces& second, bool is_self, const std::vector<Patch>& patches)
+{
+  std::set<std::size_t> cells;
+  for (const Patch& p : patches) cells.insert(p.cell);
+  std::vector<Glued_sides> glued;
+  const std::size_t m = second.size();
+  for (const std::size_t cell : cells)
+    for (const int variable : {0, 1})
+      for (const int end : {0, 1}) {
+        const std::size_t i = cell / m, j = cell % m;
+        const auto behind = is_self ? side_behind_in_self(first, i, j, variable, end) : side_behind(first, second, i, j, variable, end);
+        if (!behind) continue;
+        const auto key = [](std::size_t c, int v, int e) { return std::array<std::size_t, 3>{c, static_cast<std::size_t>(v), static_cast<std::size_t>(e)}; };
+        // Two cells with patches find their common side twice.
+        if (cells.count(behind->cell) != 0 && key(behind->cell, behind->variable, behind->end) < key(cell, variable, end)) continue;
+        glued.push_back({{cell, variable, end}, *behind});
+      }
   return glued;
 }
 

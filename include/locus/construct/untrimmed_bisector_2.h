@@ -58,7 +58,8 @@ inline Locus<2> untrimmed_bisector_upward(const Curve_2& a, const Curve_2* b, co
   for (std::size_t i = 0; i < first.size(); ++i)
     for (std::size_t j = 0; j < (is_self ? i + 1 : second.size()); ++j) maker.solve_pair(i, j);
   solution->patches = std::move(maker.planar);
-  solution->work = join_patches(std::move(maker.patches), is_self ? glued_sides_of_self(first) : glued_sides(first, second));
+  const std::vector<Glued_sides> glued = glued_sides(first, second, is_self, maker.patches);
+  solution->work = join_patches(std::move(maker.patches), glued);
   Planar_result result(solution, first, second, is_self);
   result.add_notes(maker.notes);
   Locus_data<2>& data = result.data();
@@ -66,6 +67,8 @@ inline Locus<2> untrimmed_bisector_upward(const Curve_2& a, const Curve_2* b, co
   if (maker.has_axis) data.equations.push_back({"axis of symmetry", {1, 1}});
   data.cells = std::move(keeper.cells);
   data.statistics.cells = maker.statistics.cells;
+  data.statistics.pairs = maker.pairs;
+  data.statistics.purged_pairs = maker.purged;
   data.statistics.exact_cells = maker.statistics.exact_cells;
   data.statistics.filter = maker.statistics.filter;
   data.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
