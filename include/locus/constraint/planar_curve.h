@@ -70,6 +70,22 @@ public:
   const Bernstein<Interval, 1>& numerator_enclosure(std::size_t axis) const { return numerator_enclosure_[axis]; }
   const Bernstein<Interval, 1>& weight_enclosure() const { return weight_enclosure_; }
   const Bernstein<Interval, 1>& tangent_enclosure(std::size_t axis) const { return tangent_enclosure_[axis]; }
+  /// The curve stands still at an end (0 or 1), or that end is infinite: D1 vanishes or the weight does.
+  bool is_singular_at(int end) const
+  {
+    if (is_infinite_at(end)) return true;
+    const auto pair = [end](const Bernstein<Rational, 1>& f) {
+      const std::size_t n = f.size();
+      if (n == 1) return std::array<const Rational*, 2>{&f[0], &f[0]};
+      return end == 0 ? std::array<const Rational*, 2>{&f[0], &f[1]} : std::array<const Rational*, 2>{&f[n - 1], &f[n - 2]};
+    };
+    const auto w = pair(weight_);
+    for (const auto& x : numerator_) {
+      const auto p = pair(x);
+      if (weight_.degree() == 0 ? *p[0] != *p[1] : *p[1] * *w[0] != *p[0] * *w[1]) return false;
+    }
+    return true;
+  }
   /// The end at 0 or 1 is a point at infinity.
   bool is_infinite_at(int end) const { return weight_[end == 0 ? 0 : weight_.size() - 1] == 0; }
 

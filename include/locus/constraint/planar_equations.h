@@ -149,7 +149,10 @@ public:
     std::array<double, 2> origin{0, 0};
     const Interval t(0.5 * (box.lo[0] + box.hi[0]));
     const Interval w = evaluate_at(first_->weight_enclosure(), t);
-    for (std::size_t v = 0; v < 2; ++v) origin[v] = midpoint(evaluate_at(first_->numerator_enclosure(v), t) / w);
+    for (std::size_t v = 0; v < 2; ++v) {
+      const double x = midpoint(evaluate_at(first_->numerator_enclosure(v), t) / w);
+      origin[v] = std::abs(x) < 0x1p100 ? x : 0; // a point at infinity, or nearly so, is no place to look from
+    }
     return enclosure_from(box, origin);
   }
 

@@ -73,6 +73,17 @@ private:
   std::array<Enclosed_surface, 3> second_;
 };
 
+namespace detail {
+
+/// A contact form, to be enclosed.
+struct Enclosed_contact {
+  std::array<Enclosed_function_2, 2> chord;
+  Enclosed_function_2 turn;
+  std::array<int, 2> power{0, 0};
+};
+
+} // namespace detail
+
 /// The map from a solution of F3 = 0, in the coordinates of its chart, to the plane.
 class Bisector_map_2 {
 public:
@@ -83,10 +94,8 @@ public:
     : first_(std::move(first)), second_(std::move(second)), chart_(chart)
   {
     if (!contact) return;
-    contact_.emplace();
-    contact_->chord = {Enclosed_function_2(contact->chord[0]), Enclosed_function_2(contact->chord[1])};
-    contact_->turn = Enclosed_function_2(contact->turn);
-    contact_->power = contact->power;
+    contact_ = Contact{{Enclosed_function_2(contact->chord[0]), Enclosed_function_2(contact->chord[1])},
+                       Enclosed_function_2(contact->turn), contact->power};
   }
 
   const Curve_evaluator& first() const { return *first_; }
@@ -139,11 +148,7 @@ public:
   }
 
 private:
-  struct Contact {
-    std::array<Enclosed_function_2, 2> chord;
-    Enclosed_function_2 turn;
-    std::array<int, 2> power{0, 0};
-  };
+  using Contact = detail::Enclosed_contact;
 
   template <class T>
   T by_feet(const std::array<T, 2>& p, const Vector_2<T>& x1, const Vector_2<T>& a, Map_formula formula) const

@@ -70,7 +70,7 @@ private:
   /// Joints where the normal turns continuously: compared exactly from both sides.
   void at_joint(std::size_t i, std::size_t next)
   {
-    if (squared_speed(*pieces_->curves[i], 1) == 0 || squared_speed(*pieces_->curves[next], 0) == 0) return;
+    if (pieces_->curves[i]->is_singular_at(1) || pieces_->curves[next]->is_singular_at(0)) return;
     const auto left = forms_[i].at(1), right = forms_[next].at(0);
     const bool jumps = !left.same_curvature(right);
     const int before = sign_beside(forms_[i].critical, true), after = sign_beside(forms_[next].critical, false);

@@ -127,7 +127,7 @@ private:
   {
     const auto& piece = first_.curves[i];
     for (int end = 0; end < 2; ++end)
-      if (squared_speed(*piece, end) == 0) {
+      if (piece->is_singular_at(end)) {
         for (const F3_problem& problem : f3_self_corner_problems(piece, end)) solve(problem, i, i);
         return;
       }
@@ -328,7 +328,8 @@ inline std::vector<Glued_sides> glued_sides(const Planar_pieces& first, const Pl
         const auto key = [](std::size_t c, int v, int e) { return std::array<std::size_t, 3>{c, static_cast<std::size_t>(v), static_cast<std::size_t>(e)}; };
         // Two cells with patches find their common side twice.
         if (cells.count(behind->cell) != 0 && key(behind->cell, behind->variable, behind->end) < key(cell, variable, end)) continue;
-        glued.push_back({{cell, variable, end}, *behind});
+        const Joint* joint = variable == 0 ? first.joint_at(i, end) : second.joint_at(j, end);
+        glued.push_back({{cell, variable, end}, *behind, joint->by_tolerance});
       }
   return glued;
 }

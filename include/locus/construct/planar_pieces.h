@@ -187,7 +187,7 @@ inline std::optional<Necessary_cut> cut_of_one_piece(const Planar_pieces& pieces
 {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Planar_curve& c = *pieces.curves[i];
-    const bool singular_twice = is_self && squared_speed(c, 0) == 0 && squared_speed(c, 1) == 0; // infinite, or at rest
+    const bool singular_twice = is_self && c.is_singular_at(0) && c.is_singular_at(1); // infinite, or at rest
     if (singular_twice || (is_self && touches_itself(c)) || (c.is_infinite_at(0) && c.is_infinite_at(1)))
       return Necessary_cut{input, middle_of(pieces.chain.pieces[i])};
   }

@@ -41,6 +41,8 @@ struct Glued_sides {
     int end = 0;      ///< at 0 or 1
   };
   Side a, b;
+  /// The equation differs a little on both sides: zeros are matched by their order if they are equally many.
+  bool by_order = false;
 };
 
 /// A place of the joined zero set, with the patches' vertices that are there.
@@ -215,6 +217,10 @@ private:
     const auto a = sides_.find(key(g.a)), b = sides_.find(key(g.b));
     const Side_list empty;
     const std::vector<Side_list> first = groups(a == sides_.end() ? empty : a->second), second = groups(b == sides_.end() ? empty : b->second);
+    if (g.by_order && first.size() == second.size()) {
+      for (std::size_t k = 0; k < first.size(); ++k) match_groups(first[k], second[k]);
+      return;
+    }
     std::size_t i = 0, j = 0;
     while (i < first.size() || j < second.size()) {
       if (j == second.size() || (i < first.size() && first[i].back().along.sup() < second[j].front().along.inf())) {
