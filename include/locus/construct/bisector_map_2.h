@@ -140,9 +140,12 @@ public:
   double least_distance(const std::array<Jet<Interval>, 2>& x, double length, const Vector_2<double>& centre) const
   {
     const std::array<Jet<Interval>, 2> p = chart_(x);
-    const Vector_2<Interval> foot = first_->point(p[0].value);
-    const double off = std::hypot(magnitude(foot.x - Interval(centre.x)), magnitude(foot.y - Interval(centre.y))) * (1 + 8 * operation_error);
-    double bound = std::isfinite(off) ? (Interval(least_radius(p, length)) - Interval(off)).inf() : 0.0;
+    const double radius = least_radius(p, length);
+    double bound = 0;
+    for (const auto& foot : {first_->point(p[0].value), second_->point(p[1].value)}) {
+      const double off = std::hypot(magnitude(foot.x - Interval(centre.x)), magnitude(foot.y - Interval(centre.y))) * (1 + 8 * operation_error);
+      if (std::isfinite(off)) bound = std::max(bound, (Interval(radius) - Interval(off)).inf());
+    }
     bound = std::max(bound, normal_line_distance(*first_, p[0].value, centre));
     return std::max(bound, normal_line_distance(*second_, p[1].value, centre));
   }
@@ -169,15 +172,19 @@ private:
     return lambda;
   }
 
-  /// Lower bound of the distance from the first foot to the bisector point near a common tangent line: a×d vanishes at
-  /// the pole, so it is bounded by its derivative.
+  /// Lower bound of the circles' radius |e|²|a|/(2|w1 w2||a×e|) with e = p2 w1 - p1 w2. At a common tangent line a×e vanishes, so
+  /// it is bounded by its derivative; at an infinite foot a weight does.
   double least_radius(const std::array<Jet<Interval>, 2>& p, double length) const
   {
-    const Vector_2<Jet<Interval>> a = first_->tangent(p[0]), d = second_->point(p[1]) - first_->point(p[0]);
-    const Interval speed = CGAL::sqrt(dot(a, a).value), chord2 = dot(d, d).value;
+    const Vector_2<Jet<Interval>> a = first_->tangent(p[0]), p1 = first_->numerator(p[0]), p2 = second_->numerator(p[1]);
+    const Jet<Interval> w1 = first_->weight(p[0]), w2 = second_->weight(p[1]);
+    const Vector_2<Jet<Interval>> e{p2.x * w1 - p1.x * w2, p2.y * w1 - p1.y * w2};
+    const Interval speed = CGAL::sqrt(CGAL::square(a.x.value) + CGAL::square(a.y.value));
+    const Interval chord2 = CGAL::square(e.x.value) + CGAL::square(e.y.value);
+    const Jet<Interval> product = cross(a, e);
+    const double turn = std::min(magnitude(product.value), magnitude(product.first) * length * (1 + 4 * operation_error));
+    const Interval largest = Interval(2) * Interval(turn) * Interval(magnitude(w1.value)) * Interval(magnitude(w2.value));
     if (!(speed.inf() > 0) || !(chord2.inf() > 0)) return 0;
-    const Jet<Interval> product = cross(a, d);
-    const Interval largest = Interval(2) * Interval(std::min(magnitude(product.value), magnitude(product.first) * length * (1 + 4 * operation_error)));
     if (largest.sup() == 0) return std::numeric_limits<double>::infinity();
     const double radius = (Interval(chord2.inf()) * Interval(speed.inf()) / Interval(largest.sup())).inf();
     return radius > 0 ? radius : 0; // also where something is infinite

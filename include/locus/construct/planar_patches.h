@@ -2,6 +2,7 @@
 #ifndef LOCUS_CONSTRUCT_PLANAR_PATCHES_H
 #define LOCUS_CONSTRUCT_PLANAR_PATCHES_H
 
+#include <locus/constraint/curvature_2.h>
 #include <locus/constraint/f3_system.h>
 #include <locus/construct/planar_pieces.h>
 #include <locus/zero_set/curve_solver.h>
@@ -82,6 +83,16 @@ inline Curve_graph solve_f3(const F3_problem& problem, const Solve_control& cont
   return Overlay(std::move(graph), std::move(axis),
                  [line](const Curve_graph& g, std::size_t piece) { return side_of_axis(g, piece, line); })
     .run();
+}
+
+/// Two pieces that touch at an end have one circle of curvature there: all branches then tend to its centre. Exact.
+inline bool osculate_at(const Planar_curve& p, const Planar_curve& q, const std::array<int, 2>& end)
+{
+  if (p.is_singular_at(end[0]) || q.is_singular_at(end[1])) return false;
+  auto a = Curvature_forms(p).at(end[0]), b = Curvature_forms(q).at(end[1]);
+  const Piece_end x(p, end[0]), y(q, end[1]);
+  if (x.tangent[0] * y.tangent[0] + x.tangent[1] * y.tangent[1] < 0) b.sign = -b.sign;
+  return a.same_curvature(b);
 }
 
 /// Solves F3 = 0 on all pairs of pieces that are not purged, patch by patch.
@@ -209,6 +220,7 @@ private:
     patch.is_pole.assign(n, 0);
     patch.is_final.assign(n, 0);
     patch.is_corner.assign(n, 0);
+    const bool osculates = !problem.chart.is_plain() && !is_on_diagonal(problem, i, j) && osculate_at(*problem.first, *problem.second, problem.chart.corner);
     for (std::size_t v = 0; v < n; ++v) {
       const Graph_vertex& vertex = patch.graph.vertices[v];
       const int tag = vertex.cause >= 0 ? patch.graph.special[static_cast<std::size_t>(vertex.cause)].tag : tag_of(F3_cause::meeting);
@@ -217,7 +229,7 @@ private:
       const bool is_blown_up = !problem.chart.is_plain() && is_at(problem.chart.corner[0], problem.chart.corner[1]);
       patch.is_final[v] = tag == tag_of(F3_cause::diagonal) || is_on_diagonal_edge(problem, vertex) ||
                           (problem.is_self && (is_at(0, 0) || is_at(1, 1))) || (is_blown_up && is_on_diagonal(problem, i, j));
-      patch.is_corner[v] = is_blown_up && !patch.is_final[v];
+      patch.is_corner[v] = is_blown_up && !patch.is_final[v] ? (osculates ? 2 : 1) : 0;
       patch.is_pole[v] = tag == tag_of(F3_cause::pole) || has_infinite_foot(problem, at) || has_infinite_limit(problem, vertex);
     }
   }

@@ -24,7 +24,7 @@ struct Patch {
   std::vector<char> dropped;         ///< pieces that do not belong to the answer; may be empty
   std::vector<char> is_pole;         ///< vertices where what the zero set stands for goes to infinity
   std::vector<char> is_final;        ///< vertices where arcs end for good, each by itself: on a diagonal
-  std::vector<char> is_corner;       ///< vertices at a corner that is blown up
+  std::vector<char> is_corner;       ///< vertices at a corner that is blown up; 2 where all branches there have one image
 
   bool is_dropped(std::size_t piece) const { return !dropped.empty() && dropped[piece]; }
 
@@ -299,12 +299,13 @@ private:
   void settle(Patchwork_vertex& v)
   {
     using Kind = Graph_vertex::Kind;
-    bool is_open = false, is_boundary = false, is_crossing_point = false, is_isolated = false, is_corner = false;
+    bool is_open = false, is_boundary = false, is_crossing_point = false, is_isolated = false, is_corner = false, one_image = true;
     for (const Member& m : v.members) {
       const Graph_vertex& g = vertex(m);
       is_open = is_open || g.kind == Kind::open;
       is_isolated = is_isolated || g.kind == Kind::isolated;
       is_corner = is_corner || patch(m).is_corner[m.vertex];
+      one_image = one_image && patch(m).is_corner[m.vertex] != 1;
       v.is_final = v.is_final || patch(m).is_final[m.vertex];
       v.is_pole = v.is_pole || patch(m).is_pole[m.vertex];
       is_crossing_point = is_crossing_point || g.kind == Kind::node || g.kind == Kind::end;
@@ -312,8 +313,9 @@ private:
     }
     const std::size_t n = degree(v);
     v.is_corner = is_corner;
+    v.is_pole = v.is_pole && !is_crossing_point; // where the curves meet, their tangents may well look like a common one
     if (v.is_final) v.kind = Kind::boundary;
-    else if (n > 2 || (is_crossing_point && n == 2)) v.kind = Kind::node;
+    else if (n > 2 || (n == 2 && (is_crossing_point || !one_image))) v.kind = Kind::node;
     else if (v.is_pole) v.kind = Kind::mark;
     else if (n == 0 && is_isolated && !is_corner) v.kind = Kind::isolated;
     else if (n == 2 || n == 0) v.kind = Kind::crossing;
@@ -348,7 +350,7 @@ private:
     for (const Member& m : v.members) {
       if (patch(m).is_corner[m.vertex]) corners[patch(m).cell].push_back(m);
       else if (patch(m).chart.is_axis) axis.push_back(m);
-      else sectors.push_back(sector(m));
+      else add_sector(sector(m), sectors);
     }
     for (const auto& [cell, members] : corners) sectors.push_back(corner_sector(members));
     if (!axis.empty()) return order_around_axis(v, axis);
@@ -357,6 +359,17 @@ private:
       return;
     }
     walk(v, sectors);
+  }
+
+  /// One cell may have the place as several vertices, of which at most one has branches.
+  static void add_sector(Sector s, std::vector<Sector>& sectors)
+  {
+    for (Sector& known : sectors) {
+      if (!s.from || !known.from || !(*s.from == *known.from) || (!s.pieces.empty() && !known.pieces.empty())) continue;
+      known.pieces.insert(known.pieces.end(), s.pieces.begin(), s.pieces.end());
+      return;
+    }
+    sectors.push_back(std::move(s));
   }
 
   /// Where a branch leaves a blown-up corner, counterclockwise from the side ρ = 0 as τ and ρ see it: the exceptional line by
