@@ -92,22 +92,16 @@ public:
   /// On [lo, hi] of the unit interval, seen from `origin` (upward rounding needed).
   Complex_curve<Interval> local(double lo, double hi, const std::array<double, 2>& origin) const
   {
-    const auto part = [&](const Bernstein<Interval, 1>& f) {
+    return seen_from(origin, [&](const Bernstein<Interval, 1>& f) {
       Bernstein<Interval, 1> g = lo == 0 && hi == 1 ? f : restrict_to(f, 0, Interval(lo), Interval(hi));
       return scaled_by_binomials(std::move(g), false).coefficients();
-    };
-    Complex_curve<Interval> c;
-    c.weight = real_polynomial(part(weight_enclosure_));
-    c.point = {part(numerator_enclosure_[0]), part(numerator_enclosure_[1])};
-    c.tangent = {part(tangent_enclosure_[0]), part(tangent_enclosure_[1])};
-    if (is_circle()) {
-      c.centre_to_point = shifted(c.point, c.weight, locus::enclosing(carrier_.centre[0]), locus::enclosing(carrier_.centre[1]));
-      c.squared_radius = locus::enclosing(carrier_.squared_radius);
-      c.is_circle = true;
-      for (std::size_t v = 0; v < 2; ++v) c.centre[v] = locus::enclosing(carrier_.centre[v]) - Interval(origin[v]);
-    }
-    if (origin[0] != 0 || origin[1] != 0) c.point = shifted(c.point, c.weight, Interval(origin[0]), Interval(origin[1]));
-    return c;
+    });
+  }
+
+  /// At one point, as polynomials of degree zero.
+  Complex_curve<Interval> at_point(double u, const std::array<double, 2>& origin) const
+  {
+    return seen_from(origin, [&](const Bernstein<Interval, 1>& f) { return std::vector<Interval>{evaluate_at(f, Interval(u))}; });
   }
 
   /// On the whole unit interval over the rationals.
@@ -162,6 +156,24 @@ public:
   bool is_line() const { return carrier_.kind == Carrier::Kind::line; }
 
 private:
+  /// The curve with each of its functions given by `part` of it.
+  template <class Part>
+  Complex_curve<Interval> seen_from(const std::array<double, 2>& origin, Part part) const
+  {
+    Complex_curve<Interval> c;
+    c.weight = real_polynomial(part(weight_enclosure_));
+    c.point = {part(numerator_enclosure_[0]), part(numerator_enclosure_[1])};
+    c.tangent = {part(tangent_enclosure_[0]), part(tangent_enclosure_[1])};
+    if (is_circle()) {
+      c.centre_to_point = shifted(c.point, c.weight, locus::enclosing(carrier_.centre[0]), locus::enclosing(carrier_.centre[1]));
+      c.squared_radius = locus::enclosing(carrier_.squared_radius);
+      c.is_circle = true;
+      for (std::size_t v = 0; v < 2; ++v) c.centre[v] = locus::enclosing(carrier_.centre[v]) - Interval(origin[v]);
+    }
+    if (origin[0] != 0 || origin[1] != 0) c.point = shifted(c.point, c.weight, Interval(origin[0]), Interval(origin[1]));
+    return c;
+  }
+
   static Bernstein<Interval, 1> enclosing(const Bernstein<Rational, 1>& f)
   {
     return converted<Interval>(f, [](const Rational& c) { return locus::enclosing(c); });

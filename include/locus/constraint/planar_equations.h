@@ -146,14 +146,13 @@ public:
       std::call_once(unit_once_, [&] { unit_ = enclosure_from(box, {0, 0}); });
       return unit_;
     }
-    std::array<double, 2> origin{0, 0};
-    const Interval t(0.5 * (box.lo[0] + box.hi[0]));
-    const Interval w = evaluate_at(first_->weight_enclosure(), t);
-    for (std::size_t v = 0; v < 2; ++v) {
-      const double x = midpoint(evaluate_at(first_->numerator_enclosure(v), t) / w);
-      origin[v] = std::abs(x) < 0x1p100 ? x : 0; // a point at infinity, or nearly so, is no place to look from
-    }
-    return enclosure_from(box, origin);
+    return enclosure_from(box, place_on_first(0.5 * (box.lo[0] + box.hi[0])));
+  }
+
+  Interval value(const std::array<double, 2>& point) const override
+  {
+    const std::array<double, 2> origin = place_on_first(point[0]);
+    return expand(Form::build(first_->at_point(point[0], origin), second_->at_point(point[1], origin)))[0];
   }
 
   const Bernstein<Scaled_integer, 2>& exact() const override
@@ -169,6 +168,18 @@ public:
   }
 
 private:
+  /// About the first curve's point at a parameter.
+  std::array<double, 2> place_on_first(double at) const
+  {
+    std::array<double, 2> place{0, 0};
+    const Interval t(at), w = evaluate_at(first_->weight_enclosure(), t);
+    for (std::size_t v = 0; v < 2; ++v) {
+      const double x = midpoint(evaluate_at(first_->numerator_enclosure(v), t) / w);
+      place[v] = std::abs(x) < 0x1p100 ? x : 0; // a point at infinity, or nearly so, is no place to look from
+    }
+    return place;
+  }
+
   Bernstein<Interval, 2> enclosure_from(const Box<2>& box, const std::array<double, 2>& origin) const
   {
     return expand(Form::build(first_->local(box.lo[0], box.hi[0], origin), second_->local(box.lo[1], box.hi[1], origin)));

@@ -233,10 +233,25 @@ private:
     }
   }
 
+  /// At a corner of its cell of which both sides are glued.
+  bool is_inner_corner(const On_side& x) const
+  {
+    const std::array<Interval, 2> at = patch(x.member).local(x.member.vertex);
+    for (std::size_t k = 0; k < 2; ++k)
+      for (int end = 0; end < 2; ++end)
+        if (is_exactly(at[k], end) && !is_glued({patch(x.member).cell, static_cast<int>(k), end})) return false;
+    return true;
+  }
+
   void match_groups(const Side_list& a, const Side_list& b)
   {
     const auto is_corner = [&](const On_side& x) { return patch(x.member).is_corner[x.member.vertex] != 0; };
     const bool at_corner = std::any_of(a.begin(), a.end(), is_corner) || std::any_of(b.begin(), b.end(), is_corner);
+    if (at_corner && !is_inner_corner(a[0]) && !is_inner_corner(b[0])) { // on the domain's boundary each branch ends by itself
+      for (const Side_list* list : {&a, &b})
+        for (const On_side& x : *list) ends_here_.insert({id(x.member), 0});
+      return;
+    }
     if (a.size() == b.size() && !at_corner) {
       for (std::size_t k = 0; k < a.size(); ++k) unite(a[k].member, b[k].member);
       return;

@@ -108,16 +108,6 @@ private:
     return j;
   }
 
-  Interval value(std::size_t k, double x, double y) const
-  {
-    Box<2> point;
-    point.lo = point.hi = {x, y};
-    const auto f = equations_[k]->enclosure(point);
-    Interval v = f[0];
-    for (const Interval& c : f.coefficients()) v = hull(v, c);
-    return v;
-  }
-
   using Real_matrix = std::array<std::array<double, 2>, 2>;
 
   static std::optional<Real_matrix> inverse_midpoint(const Matrix& j)
@@ -150,7 +140,7 @@ private:
   Point krawczyk(const Box<2>& box, const Real_matrix& y, const Matrix& m) const
   {
     const double cx = 0.5 * (box.lo[0] + box.hi[0]), cy = 0.5 * (box.lo[1] + box.hi[1]);
-    const Interval f = value(0, cx, cy), g = value(1, cx, cy);
+    const Interval f = equations_[0]->value({cx, cy}), g = equations_[1]->value({cx, cy});
     const Interval dx = Interval(box.lo[0], box.hi[0]) - Interval(cx), dy = Interval(box.lo[1], box.hi[1]) - Interval(cy);
     const Interval one(1);
     return {Interval(cx) - (Interval(y[0][0]) * f + Interval(y[0][1]) * g) + (one - m[0][0]) * dx - m[0][1] * dy,

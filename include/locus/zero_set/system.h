@@ -27,6 +27,17 @@ public:
   /// rounding. The closer the form's own cancellation is modelled, the fewer exact cells a solve needs.
   virtual Bernstein<Interval, D> enclosure(const Box<D>& box) const = 0;
 
+  /// Enclosure of the value at a point, by the same positive factor as `enclosure`.
+  virtual Interval value(const std::array<double, static_cast<std::size_t>(D)>& point) const
+  {
+    Box<D> box;
+    box.lo = box.hi = point;
+    const Bernstein<Interval, D> f = enclosure(box);
+    Interval v = f[0];
+    for (const Interval& c : f.coefficients()) v = hull(v, c);
+    return v;
+  }
+
   /// Exact coefficients on the unit cell, up to a positive factor that is also allowed in `enclosure`: signs count.
   virtual const Bernstein<Scaled_integer, D>& exact() const = 0;
 };
