@@ -55,7 +55,9 @@ inline std::string show(const Control_curve& a, const Control_curve& b) { return
 
 using Homogeneous = std::vector<std::array<Rational, 3>>;
 
-inline Homogeneous homogeneous(const Control_curve& c)
+/// Homogeneous control points of a curve or a spline.
+template <class Controls>
+Homogeneous homogeneous(const Controls& c)
 {
   Homogeneous h;
   for (std::size_t i = 0; i < c.points.size(); ++i) {
@@ -609,16 +611,6 @@ inline std::string show(const Control_spline& s)
   for (std::size_t i = 0; i < s.points.size(); ++i)
     text += std::string(i ? ", " : "") + list({s.points[i][0], s.points[i][1]});
   return text + "}, " + list(s.knots) + ", " + list(s.weights) + (s.closed ? ", true)" : ")");
-}
-
-inline Homogeneous homogeneous(const Control_spline& s)
-{
-  Homogeneous h;
-  for (std::size_t i = 0; i < s.points.size(); ++i) {
-    const Rational w = s.weight(i);
-    h.push_back({Rational(s.points[i][0] * w), Rational(s.points[i][1] * w), w});
-  }
-  return h;
 }
 
 /// The polar form of the span that starts with knots[k], at `degree` arguments: de Boor's triangle with one argument a level.
@@ -1368,6 +1360,60 @@ std::string lost_vertex(const locus::Locus<2>& home, const locus::Locus<2>& ther
              ") is lost";
   }
   return "";
+}
+
+// ------------------------------------------------------------------------------- what tests of bisectors of splines share
+
+/// Tests must end whatever happens: far more cells than any of these curves needs.
+inline locus::Bisector_options limited()
+{
+  locus::Bisector_options options;
+  options.control.max_cells = 20000;
+  return options;
+}
+
+inline bool is_certified(const locus::Locus<2>& l) { return l.status() == locus::Status::certified; }
+
+inline std::size_t count(const locus::Locus<2>& l, locus::Vertex_kind kind)
+{
+  std::size_t n = 0;
+  for (const auto& v : l.vertices()) n += v.kind == kind;
+  return n;
+}
+
+/// The chain cut where the library cuts it, at cusps.
+inline Control_chain cut_like(Control_chain chain, const locus::Curve_2& curve)
+{
+  for (const locus::Piece& p : curve.chain().pieces) chain = with_cut_at(std::move(chain), p.lo);
+  return chain;
+}
+
+/// How many results were looked at, and what was found.
+struct Tally {
+  std::size_t certified = 0, undecided = 0, refused = 0, lines = 0, walls = 0, diagonals = 0;
+  std::map<std::string, std::size_t> reasons;
+
+  void add(const locus::Locus<2>& l)
+  {
+    ++(is_certified(l) ? certified : undecided);
+    for (const auto& u : l.undecided()) ++reasons[u.reason];
+  }
+  std::string text() const
+  {
+    std::string t = std::to_string(certified) + " certified, " + std::to_string(undecided) + " undecided, " +
+                    std::to_string(refused) + " refused; " + std::to_string(lines) + " lines, " +
+                    std::to_string(walls) + " walls, " + std::to_string(diagonals) + " diagonals";
+    for (const auto& [reason, n] : reasons) t += "\n  " + std::to_string(n) + " " + reason;
+    return t;
+  }
+};
+
+inline Control_spline some_spline(Random& random, int highest_degree, int most_spans, Coordinates kind)
+{
+  const int degree = random.between(1, highest_degree), spans = random.between(1, most_spans);
+  const Ends ends = random.chance(55) ? Ends::open : random.chance(45) ? Ends::closed : Ends::periodic;
+  const bool rational = random.chance(25), repeated = random.chance(50);
+  return random_spline(random, degree, spans, kind, rational, ends, repeated);
 }
 
 } // namespace locus_test

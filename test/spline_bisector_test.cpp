@@ -14,50 +14,6 @@ using locus::Vertex_kind;
 
 namespace {
 
-/// Tests must end whatever happens: far more cells than any of these curves needs.
-locus::Bisector_options limited()
-{
-  locus::Bisector_options options;
-  options.control.max_cells = 20000;
-  return options;
-}
-
-bool is_certified(const Locus<2>& l) { return l.status() == locus::Status::certified; }
-
-std::size_t count(const Locus<2>& l, Vertex_kind kind)
-{
-  std::size_t n = 0;
-  for (const auto& v : l.vertices()) n += v.kind == kind;
-  return n;
-}
-
-/// The chain cut where the library cuts it, at cusps.
-Control_chain cut_like(Control_chain chain, const Curve_2& curve)
-{
-  for (const locus::Piece& p : curve.chain().pieces) chain = with_cut_at(std::move(chain), p.lo);
-  return chain;
-}
-
-/// How many results were looked at, and what was found.
-struct Tally {
-  std::size_t certified = 0, undecided = 0, refused = 0, lines = 0, walls = 0;
-  std::map<std::string, std::size_t> reasons;
-
-  void add(const Locus<2>& l)
-  {
-    ++(is_certified(l) ? certified : undecided);
-    for (const auto& u : l.undecided()) ++reasons[u.reason];
-  }
-  std::string text() const
-  {
-    std::string t = std::to_string(certified) + " certified, " + std::to_string(undecided) + " undecided, " +
-                    std::to_string(refused) + " refused; " + std::to_string(lines) + " lines, " +
-                    std::to_string(walls) + " walls";
-    for (const auto& [reason, n] : reasons) t += "\n  " + std::to_string(n) + " " + reason;
-    return t;
-  }
-};
-
 /// Solves a pair and judges the result; cusps at irrational parameters and single points are refused.
 void judge(const Control_spline& a, const Control_spline& b, Random& random, int lines, Samples& samples, Tally& tally)
 {
@@ -80,14 +36,6 @@ void judge(const Control_spline& a, const Control_spline& b, Random& random, int
     const std::string what = e.what();
     samples.expect(false, [&] { return text(what); });
   }
-}
-
-Control_spline some_spline(Random& random, int highest_degree, int most_spans, Coordinates kind)
-{
-  const int degree = random.between(1, highest_degree), spans = random.between(1, most_spans);
-  const Ends ends = random.chance(60) ? Ends::open : random.chance(50) ? Ends::closed : Ends::periodic;
-  const bool rational = random.chance(25), repeated = random.chance(50);
-  return random_spline(random, degree, spans, kind, rational, ends, repeated);
 }
 
 const Control_spline& wavy_cubic()

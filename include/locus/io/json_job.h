@@ -356,7 +356,7 @@ inline void read_monomial_curve(const Json_value& v, const std::string& place, D
       form_place, std::to_string(n) + " coordinates, but " + dimension.from + " has " + std::to_string(dimension.value),
       "give all inputs of a job the same number of coordinates");
   const Json_value* w = form.find("w");
-  h.push_back(w ? read_numbers(*w, member(form_place, "w")) : std::vector<Rational>{1});
+  h.push_back(w ? read_numbers(*w, member(form_place, "w")) : std::vector<Rational>{Rational(1)});
   constexpr const char* planar[] = {"x", "y", "w"};
   constexpr const char* spatial[] = {"x", "y", "z", "w"};
   std::size_t size = 1;

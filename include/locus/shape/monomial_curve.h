@@ -139,7 +139,7 @@ Rational_curve<Dim> monomial_curve(const std::array<std::vector<Rational>, stati
 {
   if (domain.lo && domain.hi && *domain.lo >= *domain.hi)
     throw Invalid_input(".domain", "the interval is empty", "let the first number be less than the second");
-  const auto forms = detail::reduced_forms<Dim>(coordinates, weight.empty() ? std::vector<Rational>{1} : weight);
+  const auto forms = detail::reduced_forms<Dim>(coordinates, weight.empty() ? std::vector<Rational>{Rational(1)} : weight);
   std::vector<Piece> ranges = detail::ranges_over(domain, detail::necessary_cuts(domain, forms));
   std::vector<Curve_piece<Dim>> pieces;
   for (const Piece& range : ranges) {
