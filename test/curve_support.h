@@ -1388,6 +1388,15 @@ inline Control_chain cut_like(Control_chain chain, const locus::Curve_2& curve)
   return chain;
 }
 
+/// Whether a result passes all checks against exact counts of zeros, on that many lines: for features too fine for a grid.
+inline bool agrees_with_exact_counts(const locus::Locus<2>& l, const Control_chain& first, const Control_chain* second)
+{
+  Random lines(97);
+  Result_check check(l, first, second);
+  check.check_all(lines, 200);
+  return check.problems.empty() && check.lines >= 100;
+}
+
 /// How many results were looked at, and what was found.
 struct Tally {
   std::size_t certified = 0, undecided = 0, refused = 0, lines = 0, walls = 0, diagonals = 0;

@@ -100,6 +100,7 @@ public:
     note_sides();
     for (const Glued_sides& g : glued_) match(g);
     for (const auto& [seam, list] : seams_) unite_equal(list);
+    unite_corners();
     collect_classes();
     for (Patchwork_vertex& v : work_.vertices) settle(v);
     join();
@@ -265,6 +266,50 @@ private:
     for (const On_side& x : a) work_.undecided.push_back({x.member, "zeros too close to be told apart where two pieces meet"});
   }
 
+  using Corner = std::array<std::size_t, 3>; ///< cell, end of each variable
+
+  /// Corners of cells that are one place of the domain, though the place may be seen from opposite cells only.
+  class Corner_classes {
+  public:
+    void unite(const Corner& a, const Corner& b) { parent_[find(a)] = find(b); }
+    Corner find(Corner c)
+    {
+      for (auto at = parent_.find(c); at != parent_.end() && at->second != c; at = parent_.find(c)) c = at->second;
+      return c;
+    }
+
+  private:
+    std::map<Corner, Corner> parent_;
+  };
+
+  static Corner corner_of(const Glued_sides::Side& s, int along)
+  {
+    const auto end = static_cast<std::size_t>(s.end), other = static_cast<std::size_t>(along);
+    return s.variable == 0 ? Corner{s.cell, end, other} : Corner{s.cell, other, end};
+  }
+
+  void unite_corners()
+  {
+    Corner_classes classes;
+    for (const Glued_sides& g : glued_)
+      for (const int along : {0, 1}) classes.unite(corner_of(g.a, along), corner_of(g.b, along));
+    std::map<Corner, Member> first;
+    for (std::size_t p = 0; p < work_.patches.size(); ++p)
+      for (std::size_t v = 0; v < work_.patches[p].graph.vertices.size(); ++v) {
+        const Member m{p, v};
+        const std::array<Interval, 2> at = patch(m).local(v);
+        Corner corner{patch(m).cell, 0, 0};
+        bool is_at_corner = !patch(m).is_final[v];
+        for (std::size_t k = 0; k < 2; ++k) {
+          is_at_corner = is_at_corner && (is_exactly(at[k], 0) || is_exactly(at[k], 1));
+          corner[k + 1] = is_exactly(at[k], 1) ? 1 : 0;
+        }
+        if (!is_at_corner || !is_inner_corner({m, at[0]})) continue;
+        const auto [known, is_new] = first.insert({classes.find(corner), m});
+        if (!is_new) unite(m, known->second);
+      }
+  }
+
   /// Where the other side has no such zero, it has another factor: a component of it that is no arc ends there. No patch
   /// at all on the other side means that the equation was proved to have no zero there.
   void leave_unmatched(const Side_list& list, std::size_t other)
@@ -359,6 +404,10 @@ private:
 
   void order_half_branches(Patchwork_vertex& v)
   {
+    if (degree(v) <= 2) { // any order is cyclic
+      for (const Member& m : v.members) v.half_branches.insert(v.half_branches.end(), incident_[id(m)].begin(), incident_[id(m)].end());
+      return;
+    }
     std::vector<Sector> sectors;
     std::vector<Member> axis;
     std::map<std::size_t, std::vector<Member>> corners; // by cell
