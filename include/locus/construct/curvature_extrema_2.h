@@ -42,7 +42,7 @@ public:
   {
     for (std::size_t i = 0; i < pieces_->size(); ++i) {
       inside(i);
-      if (pieces_->goes_on_at(i, 1)) at_joint(i, pieces_->neighbour(i, 1));
+      if (pieces_->chain.goes_on_at(i, 1)) at_joint(i, pieces_->chain.neighbour(i, 1));
     }
     return std::move(found_);
   }

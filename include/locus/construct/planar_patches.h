@@ -6,11 +6,11 @@
 #include <locus/constraint/f3_system.h>
 #include <locus/construct/planar_pieces.h>
 #include <locus/zero_set/curve_solver.h>
+#include <locus/zero_set/domain_cells.h>
 #include <locus/zero_set/overlay.h>
 #include <locus/zero_set/piece_evaluation.h>
 
 #include <chrono>
-#include <set>
 
 namespace locus {
 namespace detail {
@@ -98,16 +98,17 @@ inline bool osculate_at(const Planar_curve& p, const Planar_curve& q, const std:
 /// Solves F3 = 0 on all pairs of pieces that are not purged, patch by patch.
 class Patch_maker {
 public:
-  /// The pairs are those of one curve's pieces where `is_self`.
-  Patch_maker(const Planar_pieces& first, const Planar_pieces& second, bool is_self, const Solve_control& control, Cell_keeper* keeper)
-    : first_(first), second_(second), is_self_(is_self), control_(control), keeper_(keeper)
+  /// The pairs are those of one curve's pieces where `cells.is_self()`.
+  Patch_maker(const Planar_pieces& first, const Planar_pieces& second, const Domain_cells& cells, const Solve_control& control,
+              Cell_keeper* keeper)
+    : first_(first), second_(second), cells_(cells), control_(control), keeper_(keeper)
   {
   }
 
   void solve_pair(std::size_t i, std::size_t j)
   {
     const auto &a = first_.curves[i], &b = second_.curves[j];
-    if (is_self_ && i == j) return solve_self(i);
+    if (cells_.is_self() && i == j) return solve_self(i);
     ++pairs;
     if (are_apart(first_.bounds[i], second_.bounds[j])) {
       ++purged;
@@ -117,8 +118,6 @@ public:
     if (corners.empty()) return solve(f3_problem(a, b), i, j);
     for (const F3_problem& problem : f3_corner_problems(a, b, corners[0])) solve(problem, i, j);
   }
-
-  std::size_t cell(std::size_t i, std::size_t j) const { return i * second_.size() + j; }
 
   std::vector<Patch> patches;
   std::vector<Planar_patch> planar;
@@ -156,7 +155,7 @@ private:
     Patch patch;
     patch.graph = solve_f3(problem, remaining_control(), is_axis ? nullptr : keeper_);
     patch.chart = problem.chart;
-    patch.cell = cell(i, j);
+    patch.cell = cells_.cell(i, j);
     add(statistics, patch.graph.statistics);
     for (std::size_t v = 0; v < 2; ++v) degrees[v] = std::max(degrees[v], problem.degrees[v]);
     has_axis = has_axis || problem.axis || is_axis;
@@ -269,7 +268,7 @@ private:
   /// Whether a blown-up corner of a cell is one point of the curve, reached from both sides: at a joint or at the seam.
   bool is_on_diagonal(const F3_problem& problem, std::size_t i, std::size_t j) const
   {
-    if (!is_self_) return false;
+    if (!cells_.is_self()) return false;
     const std::array<int, 2>& corner = problem.chart.corner;
     if (i == j) return corner[0] == corner[1];
     const bool joint = i == j + 1 && corner[0] == 0 && corner[1] == 1;
@@ -291,60 +290,11 @@ private:
   }
 
   const Planar_pieces &first_, &second_;
-  bool is_self_;
+  const Domain_cells& cells_;
   const Solve_control& control_;
   Cell_keeper* keeper_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-/// The side of another cell that is one line with a side of cell (i, j), if the zero set goes on across it.
-inline std::optional<Glued_sides::Side> side_behind(const Planar_pieces& first, const Planar_pieces& second, std::size_t i, std::size_t j,
-                                                    int variable, int end)
-{
-  const std::size_t m = second.size();
-  if (variable == 0) {
-    if (!first.goes_on_at(i, end)) return std::nullopt;
-    return Glued_sides::Side{first.neighbour(i, end) * m + j, 0, 1 - end};
-  }
-  if (!second.goes_on_at(j, end)) return std::nullopt;
-  return Glued_sides::Side{i * m + second.neighbour(j, end), 1, 1 - end};
-}
-
-/// The same for the cells (i, j), i ≥ j, of a chain with itself: across the seam the parameters change places. The sides of a
-/// cell (i, i) beyond the diagonal are not there.
-inline std::optional<Glued_sides::Side> side_behind_in_self(const Planar_pieces& pieces, std::size_t i, std::size_t j, int variable, int end)
-{
-  const std::size_t n = pieces.size();
-  if (i == j && (variable == 0) == (end == 0)) return std::nullopt; // its sides t = 0 and r = 1 lie beyond the diagonal
-  if (variable == 0 && !pieces.goes_on_at(i, end)) return std::nullopt;
-  if (variable == 1 && !pieces.goes_on_at(j, end)) return std::nullopt;
-  if (variable == 0 && end == 1) return i + 1 < n ? Glued_sides::Side{(i + 1) * n + j, 0, 0} : Glued_sides::Side{j * n, 1, 0};
-  if (variable == 0) return Glued_sides::Side{(i - 1) * n + j, 0, 1};
-  if (end == 1) return Glued_sides::Side{i * n + j + 1, 1, 0};
-  return j > 0 ? Glued_sides::Side{i * n + j - 1, 1, 1} : Glued_sides::Side{(n - 1) * n + i, 0, 1};
-}
-
-/// All glued sides of the cells that have patches.
-inline std::vector<Glued_sides> glued_sides(const Planar_pieces& first, const Planar_pieces& second, bool is_self, const std::vector<Patch>& patches)
-{
-  std::set<std::size_t> cells;
-  for (const Patch& p : patches) cells.insert(p.cell);
-  std::vector<Glued_sides> glued;
-  const std::size_t m = second.size();
-  for (const std::size_t cell : cells)
-    for (const int variable : {0, 1})
-      for (const int end : {0, 1}) {
-        const std::size_t i = cell / m, j = cell % m;
-        const auto behind = is_self ? side_behind_in_self(first, i, j, variable, end) : side_behind(first, second, i, j, variable, end);
-        if (!behind) continue;
-        const auto key = [](std::size_t c, int v, int e) { return std::array<std::size_t, 3>{c, static_cast<std::size_t>(v), static_cast<std::size_t>(e)}; };
-        // Two cells with patches find their common side twice.
-        if (cells.count(behind->cell) != 0 && key(behind->cell, behind->variable, behind->end) < key(cell, variable, end)) continue;
-        const Joint* joint = variable == 0 ? first.joint_at(i, end) : second.joint_at(j, end);
-        glued.push_back({{cell, variable, end}, *behind, joint->by_tolerance});
-      }
-  return glued;
-}
 
 } // namespace detail
 } // namespace locus

@@ -37,35 +37,12 @@ struct Planar_pieces {
     return evaluators_[i];
   }
 
-  /// The joint at an end (0 or 1) of a piece, if there is one.
-  const Joint* joint_at(std::size_t piece, int end) const
-  {
-    const std::size_t n = curves.size();
-    if (end == 1 && piece < chain.joints.size()) return &chain.joints[piece];
-    if (end == 0 && piece > 0) return &chain.joints[piece - 1];
-    if (end == 0 && chain.is_closed()) return &chain.joints[n - 1];
-    return nullptr;
-  }
-
-  /// The piece behind an end.
-  std::size_t neighbour(std::size_t piece, int end) const
-  {
-    const std::size_t n = curves.size();
-    return end == 1 ? (piece + 1) % n : (piece + n - 1) % n;
-  }
-
-  bool goes_on_at(std::size_t piece, int end) const
-  {
-    const Joint* joint = joint_at(piece, end);
-    return joint && joint->goes_on();
-  }
-
   /// What a foot at a local parameter lies on.
   Feature feature_at(std::size_t piece, const Interval& u) const
   {
     for (int end = 0; end < 2; ++end) {
       if (u.inf() != end || u.sup() != end) continue;
-      const Joint* joint = joint_at(piece, end);
+      const Joint* joint = chain.joint_at(piece, end);
       if (!joint) return end == 0 ? Feature::start : Feature::end;
       return joint->kind == Joint_kind::corner ? Feature::corner : Feature::interior;
     }

@@ -54,11 +54,12 @@ inline Locus<2> untrimmed_bisector_upward(const Curve_2& a, const Curve_2* b, co
   const auto inputs = framed_inputs(a, b, solution->frame);
   const Planar_pieces &first = *inputs[0], &second = *inputs[1];
   Cell_keeper keeper;
-  Patch_maker maker(first, second, is_self, options.control, options.keep_cells ? &keeper : nullptr);
+  const Domain_cells cells({{first.chain, second.chain}}, is_self);
+  Patch_maker maker(first, second, cells, options.control, options.keep_cells ? &keeper : nullptr);
   for (std::size_t i = 0; i < first.size(); ++i)
     for (std::size_t j = 0; j < (is_self ? i + 1 : second.size()); ++j) maker.solve_pair(i, j);
   solution->patches = std::move(maker.planar);
-  const std::vector<Glued_sides> glued = glued_sides(first, second, is_self, maker.patches);
+  const std::vector<Glued_sides> glued = cells.glued(maker.patches);
   solution->work = join_patches(std::move(maker.patches), glued);
   Planar_result result(solution, first, second, is_self);
   result.add_notes(maker.notes);

@@ -70,6 +70,28 @@ struct Chain {
   std::vector<Joint> joints;
 
   bool is_closed() const { return joints.size() == pieces.size(); }
+
+  /// The joint at an end (0 or 1) of a piece, if there is one.
+  const Joint* joint_at(std::size_t piece, int end) const
+  {
+    if (end == 1 && piece < joints.size()) return &joints[piece];
+    if (end == 0 && piece > 0) return &joints[piece - 1];
+    if (end == 0 && is_closed()) return &joints.back();
+    return nullptr;
+  }
+
+  /// The piece behind an end.
+  std::size_t neighbour(std::size_t piece, int end) const
+  {
+    const std::size_t n = pieces.size();
+    return end == 1 ? (piece + 1) % n : (piece + n - 1) % n;
+  }
+
+  bool goes_on_at(std::size_t piece, int end) const
+  {
+    const Joint* joint = joint_at(piece, end);
+    return joint && joint->goes_on();
+  }
 };
 
 /// The domain of D variables: a chain for each.
