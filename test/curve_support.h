@@ -1417,6 +1417,22 @@ struct Tally {
   }
 };
 
+/// Runs a check: what the library refuses is counted, and any other exception is a failure, described by `text`.
+template <class Text, class Check>
+void count_refusals(Samples& samples, Tally& tally, Text text, Check check)
+{
+  try {
+    check();
+  } catch (const locus::Invalid_input&) {
+    ++tally.refused;
+  } catch (const locus::Unsupported_feature&) {
+    ++tally.refused;
+  } catch (const std::exception& e) {
+    const std::string what = e.what();
+    samples.expect(false, [&] { return text(what); });
+  }
+}
+
 inline Control_spline some_spline(Random& random, int highest_degree, int most_spans, Coordinates kind)
 {
   const int degree = random.between(1, highest_degree), spans = random.between(1, most_spans);

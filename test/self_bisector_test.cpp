@@ -17,7 +17,7 @@ namespace {
 void judge(const Control_spline& a, Random& random, int lines, Samples& samples, Tally& tally)
 {
   const auto text = [&](const std::string& what) { return what + "; " + show(a); };
-  try {
+  count_refusals(samples, tally, text, [&] {
     const Curve_2 curve = a.build();
     const Locus<2> l = locus::untrimmed_bisector(curve, limited());
     Result_check check(l, cut_like(chain_of(a), curve), nullptr);
@@ -27,14 +27,7 @@ void judge(const Control_spline& a, Random& random, int lines, Samples& samples,
     tally.walls += check.walls;
     tally.diagonals += check.diagonals;
     samples.expect(check.problems.empty(), [&] { return text(show(graph_numbers(l)) + " | " + check.report()); });
-  } catch (const locus::Invalid_input&) {
-    ++tally.refused;
-  } catch (const locus::Unsupported_feature&) {
-    ++tally.refused;
-  } catch (const std::exception& e) {
-    const std::string what = e.what();
-    samples.expect(false, [&] { return text(what); });
-  }
+  });
 }
 
 const Control_spline& zigzag_quadratic()

@@ -18,7 +18,7 @@ namespace {
 void judge(const Control_spline& a, const Control_spline& b, Random& random, int lines, Samples& samples, Tally& tally)
 {
   const auto text = [&](const std::string& what) { return what + "; " + show(a) + ", " + show(b); };
-  try {
+  count_refusals(samples, tally, text, [&] {
     const Curve_2 first = a.build(), second = b.build();
     const Control_chain second_chain = cut_like(chain_of(b), second);
     const Locus<2> l = locus::untrimmed_bisector(first, second, limited());
@@ -28,14 +28,7 @@ void judge(const Control_spline& a, const Control_spline& b, Random& random, int
     tally.lines += check.lines;
     tally.walls += check.walls;
     samples.expect(check.problems.empty(), [&] { return text(check.report()); });
-  } catch (const locus::Invalid_input&) {
-    ++tally.refused;
-  } catch (const locus::Unsupported_feature&) {
-    ++tally.refused;
-  } catch (const std::exception& e) {
-    const std::string what = e.what();
-    samples.expect(false, [&] { return text(what); });
-  }
+  });
 }
 
 const Control_spline& wavy_cubic()
