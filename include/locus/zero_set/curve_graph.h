@@ -4,7 +4,7 @@
 
 #include <locus/number/filter_counts.h>
 #include <locus/zero_set/cell_tree.h>
-#include <locus/zero_set/points_2.h>
+#include <locus/zero_set/points.h>
 
 #include <array>
 #include <memory>
@@ -62,6 +62,16 @@ struct Solve_statistics {
   std::size_t point_cells = 0; ///< cells of the solves for causes
   std::uint64_t exact_cells = 0;
   Filter_counts filter;
+
+  Solve_statistics& operator+=(const Solve_statistics& s)
+  {
+    cells += s.cells;
+    leaves += s.leaves;
+    point_cells += s.point_cells;
+    exact_cells += s.exact_cells;
+    filter += s.filter;
+    return *this;
+  }
 };
 
 /// The zero set of one equation on the unit cell, as an embedded graph, together with the cells that prove it.
