@@ -2,8 +2,11 @@
 // The program `locus`: reads a job as JSON, computes it, writes the result as JSON and as a picture.
 
 #include "progress_bar.h"
+#include "read_certificate.h"
 
 #include <locus/bisector_2.h>
+#include <locus/check/checker.h>
+#include <locus/io/certificate.h>
 #include <locus/io/json_job.h>
 #include <locus/io/json_result.h>
 #include <locus/io/svg.h>
@@ -15,6 +18,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstring>
@@ -178,10 +182,10 @@ int run(const Settings& settings)
   std::optional<locus::Rational> tolerance;
   if (!settings.tolerance.empty()) tolerance = tolerance_of(settings.tolerance);
 
-  const locus::Job job = locus::read_job(read_text(settings.job));
+  const std::string text = read_text(settings.job);
+  const locus::Job job = locus::read_job(text);
   locus::require_supported(job);
   if (!settings.ply.empty()) throw locus::Unsupported_feature("--ply: meshes");
-  if (!settings.certificate.empty()) throw locus::Unsupported_feature("--certificate: certificates");
 
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
   using Style = Progress_bar::Style;
@@ -200,6 +204,7 @@ int run(const Settings& settings)
   options.control.cancel = cancel;
   options.control.progress = [&bar](std::size_t done, std::size_t open) { bar.show("cells", done, open); };
   options.keep_cells = !settings.svg.empty();
+  options.keep_evidence = !settings.certificate.empty();
   const std::vector<locus::Curve_2> curves = curves_of(job);
   const locus::Locus<2> result = bisector_of(curves, options);
   std::signal(SIGINT, SIG_DFL);
@@ -218,7 +223,26 @@ int run(const Settings& settings)
   bar.clear();
   if (!settings.svg.empty())
     write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, result, curves); });
+  if (!settings.certificate.empty())
+    write_output(settings.certificate, [&](std::ostream& out) { locus::write_certificate(out, result, locus::parse_json(text)); });
   return status == locus::Status::certified ? answered : something_undecided;
+}
+
+std::string counted(std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }
+
+/// Verifies a certificate and says what was verified. Throws check::Refused.
+int check_certificate(const std::string& path)
+{
+  const locus::check::Certificate certificate = locus_cli::read_certificate(read_text(path));
+  const auto start = std::chrono::steady_clock::now();
+  const locus::check::Summary s = locus::check::check(certificate);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::cout << "verified: " << counted(s.patches, "chart") << ", " << counted(s.pairs, "empty pair") << ", " << counted(s.cells, "cell") << ", "
+            << counted(s.singular, "singular point") << ", " << counted(s.arcs, "arc");
+  if (s.tolerated > 0) std::cout << "; taken as smooth by a tolerance: " << counted(s.tolerated, "joint");
+  if (s.undecided > 0) std::cout << "; undecided: " << counted(s.undecided, "place");
+  std::cout << "; checked in " << seconds << " s, solved in " << certificate.seconds << " s" << std::endl;
+  return s.undecided == 0 ? answered : something_undecided;
 }
 
 constexpr const char* footer = R"(
@@ -270,12 +294,13 @@ int main(int argc, char** argv)
 
   const std::string job = shown(settings.job);
   try {
-    if (check->parsed()) throw locus::Unsupported_feature("check: certificates");
-    return run(settings);
+    return check->parsed() ? check_certificate(certificate_to_check) : run(settings);
   } catch (const Usage_error& e) {
     return complain(e.what(), invalid_job);
+  } catch (const locus::check::Refused& e) {
+    return complain(shown(certificate_to_check) + ": refused: " + e.what(), invalid_job);
   } catch (const locus::Invalid_input& e) {
-    return complain(job + ": " + e.what(), invalid_job);
+    return complain((check->parsed() ? shown(certificate_to_check) : job) + ": " + e.what(), invalid_job);
   } catch (const locus::Unsupported_feature& e) {
     return complain((check->parsed() ? "" : job + ": ") + ("not in this version yet: " + std::string(e.what())),
                     missing_feature);

@@ -256,6 +256,14 @@ inline std::ostream& operator<<(std::ostream& out, Status s)
   return out << (s == Status::certified ? "certified" : "undecided");
 }
 
+/// What a construction can keep of its work so that a certificate can be written of it; each has a type of its own.
+struct Locus_evidence {
+  Locus_evidence() = default;
+  Locus_evidence(const Locus_evidence&) = delete;
+  Locus_evidence& operator=(const Locus_evidence&) = delete;
+  virtual ~Locus_evidence() = default;
+};
+
 /// What a construction fills in; see `Locus` for the meanings.
 template <int Dim>
 struct Locus_data {
@@ -271,6 +279,7 @@ struct Locus_data {
   Locus_statistics statistics;
   double scale = 1, cut_radius = 10;
   Approximate_point<Dim> centre;
+  std::shared_ptr<const Locus_evidence> evidence;
 };
 
 /// The answer of a construction: vertices, arcs and degenerate pieces, each proved, and the undecided rest. Immutable.
@@ -293,6 +302,8 @@ public:
   const Locus_statistics& statistics() const { return data_.statistics; }
   /// The cells of the subdivision, where the construction was asked to keep them.
   const std::vector<Cell_picture>& cells() const { return data_.cells; }
+  /// What a certificate is written from, where the construction was asked to keep it; else null.
+  const std::shared_ptr<const Locus_evidence>& evidence() const { return data_.evidence; }
   /// Diameter of the inputs (of their control polygons' bounding box).
   double scale() const { return data_.scale; }
   /// Arcs to infinity are drawn up to this distance from `centre()`, the middle of the inputs' bounding box.

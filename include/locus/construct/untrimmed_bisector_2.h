@@ -11,6 +11,7 @@ namespace locus {
 struct Bisector_options {
   Solve_control control;
   bool keep_cells = false; ///< keep the cells of the subdivision in the result, for pictures
+  bool keep_evidence = false; ///< keep what a certificate is written from
 };
 
 namespace detail {
@@ -55,7 +56,8 @@ inline Locus<2> untrimmed_bisector_upward(const Curve_2& a, const Curve_2* b, co
   const Planar_pieces &first = *inputs[0], &second = *inputs[1];
   Cell_keeper keeper;
   const Domain_cells cells({{first.chain, second.chain}}, is_self);
-  Patch_maker maker(first, second, cells, options.control, options.keep_cells ? &keeper : nullptr);
+  const auto evidence = options.keep_evidence ? std::make_shared<Planar_evidence>() : nullptr;
+  Patch_maker maker(first, second, cells, options.control, options.keep_cells ? &keeper : nullptr, evidence.get());
   for (std::size_t i = 0; i < first.size(); ++i)
     for (std::size_t j = 0; j < (is_self ? i + 1 : second.size()); ++j) maker.solve_pair(i, j);
   solution->patches = std::move(maker.planar);
@@ -67,6 +69,13 @@ inline Locus<2> untrimmed_bisector_upward(const Curve_2& a, const Curve_2* b, co
   data.equations.push_back({F3_form::name, {maker.degrees[0], maker.degrees[1]}});
   if (maker.has_axis) data.equations.push_back({"axis of symmetry", {1, 1}});
   data.cells = std::move(keeper.cells);
+  if (evidence) {
+    evidence->inputs = inputs;
+    evidence->is_self = is_self;
+    evidence->frame = solution->frame;
+    evidence->solution = solution;
+    data.evidence = evidence;
+  }
   data.statistics.cells = maker.statistics.cells;
   data.statistics.pairs = maker.pairs;
   data.statistics.purged_pairs = maker.purged;
