@@ -117,6 +117,7 @@ inline bool lies_on_diagonal(const Isolated_solution<2>& p, const std::array<std
 inline void split_off_axis(F3_problem& p, const Bernstein<Scaled_integer, 2>& rest, const Diagonal& axis)
 {
   const auto line = std::make_shared<Polynomial_equation<2>>(axis.polynomial());
+  p.whole = p.system;
   Cause<2> meeting = p.system.causes[0], bitangent = p.system.causes[1], crossing;
   const auto on_axis = [axis](const Cause<2>& cause) {
     return [equations = cause.equations, axis](const Isolated_solution<2>& s) { return lies_on_diagonal(s, equations, axis); };

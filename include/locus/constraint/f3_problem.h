@@ -53,6 +53,7 @@ struct F3_problem {
   System<1, 2> system;
   /// For mirror images: the axis, a factor of F3 that `system` is then without. Both have the cause number 0 in common, their crossings.
   std::optional<System<1, 2>> axis;
+  std::optional<System<1, 2>> whole; ///< F3 with the axis, for places where the factors do not simply cross
   Diagonal axis_line;
   Degrees<2> degrees{}; ///< of the equation as solved
   std::vector<Degenerate_component> degenerate;

@@ -208,7 +208,8 @@ inline F3_problem f3_self_problem(const std::shared_ptr<const Planar_curve>& pie
   p.degrees = p.system.equations[0]->degrees();
   p.system.causes.push_back(detail::diagonal_cause(p.system.equations[0]));
   if (p.axis) p.axis->causes.push_back(detail::diagonal_cause(p.axis->equations[0]));
-  for (System<1, 2>* system : {&p.system, p.axis ? &*p.axis : nullptr}) {
+  if (p.whole) p.whole->causes.push_back(detail::diagonal_cause(p.whole->equations[0]));
+  for (System<1, 2>* system : {&p.system, p.axis ? &*p.axis : nullptr, p.whole ? &*p.whole : nullptr}) {
     if (!system) continue;
     for (Cause<2>& cause : system->causes) detail::leave_out_mirror_half(cause);
     system->outside = [](const Box<2>& box) { return box.hi[0] <= box.lo[1]; };

@@ -4,6 +4,7 @@
 
 #include <locus/constraint/curvature_2.h>
 #include <locus/constraint/f3_system.h>
+#include <locus/construct/planar_evidence.h>
 #include <locus/construct/planar_pieces.h>
 #include <locus/zero_set/curve_solver.h>
 #include <locus/zero_set/domain_cells.h>
@@ -74,12 +75,21 @@ inline Sign side_of_axis(const Curve_graph& graph, std::size_t piece, const Diag
   return Sign::unknown;
 }
 
+/// Whether a graph's special points were all found regular, and nothing was left open.
+inline bool is_simple(const Curve_graph& graph)
+{
+  return graph.is_certified() &&
+         std::none_of(graph.special.begin(), graph.special.end(), [](const Isolated_point& p) { return p.evidence != nullptr; });
+}
+
 inline Curve_graph solve_f3(const F3_problem& problem, const Solve_control& control, Claim_observer<2>* observer)
 {
   Curve_graph graph = solve_curves(problem.system, control, observer);
   if (!problem.axis) return graph;
   const Diagonal line = problem.axis_line;
   Curve_graph axis = solve_curves(*problem.axis, control);
+  // Where the other factor touches the axis or is singular on it, both are solved as one.
+  if (problem.whole && (!is_simple(graph) || !is_simple(axis))) return solve_curves(*problem.whole, control, observer);
   return Overlay(std::move(graph), std::move(axis),
                  [line](const Curve_graph& g, std::size_t piece) { return side_of_axis(g, piece, line); })
     .run();
@@ -100,8 +110,8 @@ class Patch_maker {
 public:
   /// The pairs are those of one curve's pieces where `cells.is_self()`.
   Patch_maker(const Planar_pieces& first, const Planar_pieces& second, const Domain_cells& cells, const Solve_control& control,
-              Cell_keeper* keeper)
-    : first_(first), second_(second), cells_(cells), control_(control), keeper_(keeper)
+              Cell_keeper* keeper, Planar_evidence* evidence = nullptr)
+    : first_(first), second_(second), cells_(cells), control_(control), keeper_(keeper), evidence_(evidence)
   {
   }
 
@@ -112,6 +122,7 @@ public:
     ++pairs;
     if (are_apart(first_.bounds[i], second_.bounds[j])) {
       ++purged;
+      if (evidence_) evidence_->purged.push_back({i, j});
       return;
     }
     const auto corners = touching_corners(*a, *b);
@@ -153,7 +164,12 @@ private:
     planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, std::nullopt);
     if (keeper_) keeper_->patch = planar_patch;
     Patch patch;
-    patch.graph = solve_f3(problem, remaining_control(), is_axis ? nullptr : keeper_);
+    Claim_recorder recorder(is_axis ? nullptr : keeper_);
+    patch.graph = solve_f3(problem, remaining_control(), evidence_ ? &recorder : recorder.next());
+    if (evidence_) {
+      const bool as_whole = problem.whole && patch.graph.equation == problem.whole->equations[0];
+      evidence_->solves.push_back({{i, j}, problem, std::move(recorder.claims), std::nullopt, as_whole});
+    }
     patch.chart = problem.chart;
     patch.cell = cells_.cell(i, j);
     add(statistics, patch.graph.statistics);
@@ -166,6 +182,7 @@ private:
     if (!patch.graph.pieces.empty() || !patch.graph.vertices.empty())
       if (problem.contact)
         planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, problem.contact);
+    if (evidence_) evidence_->solves.back().patch = patches.size();
     patches.push_back(std::move(patch));
     planar.push_back(std::move(planar_patch));
   }
@@ -230,6 +247,7 @@ private:
                           (problem.is_self && (is_at(0, 0) || is_at(1, 1))) || (is_blown_up && is_on_diagonal(problem, i, j));
       patch.is_corner[v] = is_blown_up && !patch.is_final[v] ? (osculates ? 2 : 1) : 0;
       patch.is_pole[v] = tag == tag_of(F3_cause::pole) || has_infinite_foot(problem, at) || has_infinite_limit(problem, vertex);
+      if (tag == tag_of(F3_cause::pole) && patch.graph.special[static_cast<std::size_t>(vertex.cause)].cause == no_cause) patch.is_pole[v] = 2;
     }
   }
 
@@ -293,6 +311,7 @@ private:
   const Domain_cells& cells_;
   const Solve_control& control_;
   Cell_keeper* keeper_;
+  Planar_evidence* evidence_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

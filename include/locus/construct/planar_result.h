@@ -124,11 +124,20 @@ private:
         const Arc_point<2> p = finished(*s_, placed);
         vertex.point = p.point();
         vertex.radius = p.radius();
+      } else if (is_meeting(member)) {
+        place_at_contact(patch, local, vertex);
       } else {
         report(patch, at, "the position in the plane is 0/0 here and is not enclosed");
       }
     }
     data_.vertices.push_back(std::move(vertex));
+  }
+
+  bool is_meeting(const Member& m) const
+  {
+    const Curve_graph& graph = s_->work.patches[m.patch].graph;
+    const int special = graph.vertices[m.vertex].cause;
+    return special >= 0 && graph.special[static_cast<std::size_t>(special)].tag == tag_of(F3_cause::meeting);
   }
 
   /// Beyond this part of the inputs' diameter, or of its distance if that is greater, the error of a vertex's point is too

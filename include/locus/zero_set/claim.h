@@ -4,8 +4,11 @@
 
 #include <locus/function/domain.h>
 #include <locus/number/filter_counts.h>
+#include <locus/number/rational.h>
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace locus {
 
@@ -20,6 +23,17 @@ enum class Claim_kind : unsigned char {
   undecided     ///< a limit was reached; `reason` says which
 };
 
+/// What proves that polynomials in two variables vanish together at a point (α, β), by division identities that anyone can
+/// redo: α is the only root of m in [lo, hi], where m changes sign (or exactly lo where lo == hi), and β is a root of
+/// h(α, y) = Σ_j h[j](α)·y^j, which changes sign between r_lo and r_hi (or vanishes at r_lo == r_hi). The polynomials reduce to zero modulo
+/// m(x) and h(x, y); the last of the h[j] is 1.
+struct Algebraic_evidence {
+  std::vector<Integer> m;                ///< square-free; coefficients of 1, x, x², …
+  Rational lo, hi;
+  std::vector<std::vector<Rational>> h; ///< h[j]: coefficients of 1, x, x², …, of lower degree than m
+  Rational r_lo, r_hi;
+};
+
 /// A claim with its evidence: the cell, the pivot or equation, and the rung of arithmetic that proved it. The signs
 /// themselves are the Bernstein coefficients on the box and can be recomputed by anyone.
 template <int D>
@@ -29,6 +43,7 @@ struct Claim {
   int variable = 0;
   double at = 0;
   Rung rung = Rung::bounded;
+  std::size_t special = 0; ///< of a crossing: which of the graph's special points the cell holds
   std::string reason;
 };
 

@@ -6,35 +6,61 @@
 #include <locus/zero_set/curve_graph.h>
 #include <locus/zero_set/face_segments.h>
 #include <locus/zero_set/solve_control.h>
+#include <locus/zero_set/special_points.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace locus {
 namespace detail {
 
+/// How far one attempt to solve goes.
+struct Curve_attempt {
+  std::chrono::steady_clock::time_point start;
+  double node_width = 0x1p-22; ///< of the cells of singular points
+  std::size_t max_cells = 20000;
+  /// Cells that are still open at this width, or when this many cells were examined, may hold a singular point that no
+  /// cause explains: the attempt leaves them, and ends without a result.
+  double doubtful_width = 0;
+  std::size_t doubtful_cells = static_cast<std::size_t>(-1);
+};
+
 /// Solves one equation in two variables on the unit cell: cuts until every cell is empty, a graph, or holds one
-/// crossing, then joins the arcs of the cells at the crossings that neighbours share.
+/// singular point, then joins the arcs of the cells at the crossings that neighbours share.
 class Curve_solver {
 public:
-  Curve_solver(const System<1, 2>& system, const Solve_control& control, Claim_observer<2>* observer)
-    : system_(system), control_(control), observer_(observer), start_(std::chrono::steady_clock::now()),
+  Curve_solver(const System<1, 2>& system, const Solve_control& control, const Curve_attempt& attempt, Special_points& special)
+    : system_(system), control_(control), attempt_(attempt), special_(special),
       tree_(*system.equations[0], graph_.statistics.filter), segments_(tree_)
   {
   }
 
+  /// Cells that an attempt left (see `Curve_attempt::doubtful_width`); it has no other result then.
+  std::vector<Box<2>> doubtful;
+  /// What the attempt said of its cells.
+  std::vector<Claim<2>> claims;
+  bool keeps_claims = false;
+
   Curve_graph run()
   {
     graph_.equation = system_.equations[0];
+    graph_.special = special_.points;
+    graph_.statistics.point_cells = std::exchange(special_.cells, 0);
     Rung rung;
     if (tree_.range_sign(0, rung) == Range_sign::zero) {
       graph_.identically_zero = true;
       return std::move(graph_);
     }
-    solve_causes();
+    claim_special_points();
     lay_out_unit_cell();
     subdivide();
+    if (!doubtful.empty()) {
+      gather_statistics();
+      return std::move(graph_);
+    }
     for (std::size_t k = 0; k < graph_cells_.size(); ++k) trace_graph_cell(graph_cells_[k], pivot_[k]);
     for (std::size_t k = 0; k < node_cells_.size(); ++k) trace_node_cell(node_cells_[k], node_of_[k]);
     for (const Index i : corner_cells_) note_boundary_corners(i);
@@ -56,44 +82,23 @@ private:
 
   // ------------------------------------------------------------------------------------------------ causes
 
-  void solve_causes()
+  void claim_special_points()
   {
-    for (std::size_t c = 0; c < system_.causes.size(); ++c) {
-      const Cause<2>& cause = system_.causes[c];
-      Point_set solved = solve_points(cause.equations, control_);
-      graph_.statistics.point_cells += solved.cells;
-      for (Isolated_point& p : solved.points) {
-        p.cause = c;
-        p.tag = cause.tag;
-        if (is_explained(cause, p) || (cause.leave_out && cause.leave_out(p))) continue;
-        graph_.special.push_back(p);
-        Claim<2> claim;
-        claim.kind = Claim_kind::isolated_box;
-        claim.reason = cause.name;
-        for (std::size_t v = 0; v < 2; ++v) {
-          claim.box.lo[v] = p.box[v].inf();
-          claim.box.hi[v] = p.box[v].sup();
-        }
-        emit(claim);
+    for (std::size_t k = 0; k < graph_.special.size(); ++k) {
+      const Isolated_point& p = graph_.special[k];
+      Claim<2> claim;
+      claim.kind = Claim_kind::isolated_box;
+      claim.special = k;
+      claim.reason = p.cause == no_cause ? "singular point" : system_.causes[p.cause].name;
+      for (std::size_t v = 0; v < 2; ++v) {
+        claim.box.lo[v] = p.box[v].inf();
+        claim.box.hi[v] = p.box[v].sup();
       }
-      for (const Box<2>& box : solved.undecided) cause_undecided_.push_back({c, box});
+      emit(claim);
     }
   }
 
-  /// The point is the solution of an included cause: both lie where this cause has one solution only.
-  bool is_explained(const Cause<2>& cause, const Isolated_point& p) const
-  {
-    for (const Isolated_point& known : graph_.special) {
-      if (std::find(cause.includes.begin(), cause.includes.end(), known.cause) == cause.includes.end()) continue;
-      bool same = true;
-      for (std::size_t v = 0; v < 2; ++v)
-        same = same && p.unique_in.lo[v] < known.box[v].inf() && known.box[v].sup() < p.unique_in.hi[v];
-      if (same) return true;
-    }
-    return false;
-  }
-
-  bool is_crossing(const Isolated_point& p) const { return system_.causes[p.cause].proves == Claim_kind::crossing; }
+  bool is_crossing(const Isolated_point& p) const { return special_.is_crossing(p); }
 
   static bool touches(const Isolated_point& p, const Box<2>& box)
   {
@@ -119,6 +124,10 @@ private:
     std::vector<Index> level{0}, next;
     while (!level.empty()) {
       for (const Index i : level) {
+        if (is_doubtful(i)) {
+          doubtful.push_back(tree_[i].box);
+          continue;
+        }
         if (const char* limit = limit_reached(i)) {
           give_up(i, limit);
           continue;
@@ -133,14 +142,24 @@ private:
     }
   }
 
+  /// Small, or one of too many, and without a singular point that is known.
+  bool is_doubtful(Index i) const
+  {
+    const Box<2>& box = tree_[i].box;
+    if (box.max_width() > attempt_.doubtful_width && graph_.statistics.cells < attempt_.doubtful_cells) return false;
+    for (const Isolated_point& p : graph_.special)
+      if (is_crossing(p) && touches(p, box)) return false;
+    return true;
+  }
+
   const char* limit_reached(Index i) const
   {
-    if (graph_.statistics.cells >= control_.max_cells) return "cell limit";
+    if (graph_.statistics.cells >= attempt_.max_cells) return "cell limit";
     if (tree_[i].depth >= 2 * control_.max_depth) return "depth limit";
     if (control_.is_cancelled()) return "cancelled";
     if (tree_[i].exact && mpz_sizeinbase(tree_[i].exact->values()[0].get_mpz_t(), 2) > control_.max_bits) return "bit limit";
     if ((graph_.statistics.cells & 63u) == 0 && std::isfinite(control_.max_seconds) &&
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() > control_.max_seconds)
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - attempt_.start).count() > control_.max_seconds)
       return "time limit";
     return nullptr;
   }
@@ -180,10 +199,12 @@ private:
       }
     if (crossings > 1) return false;
     if (crossings == 1) {
-      if (!has_single_critical_point(i, last) || tree_[i].box.max_width() > control_.node_width || !is_node_cell(i, last)) return false;
+      const bool is_regular = has_regular_critical_point(i, last);
+      if (tree_[i].box.max_width() > attempt_.node_width || !is_node_cell(i, last, is_regular)) return false;
       node_cells_.push_back(i);
       node_of_.push_back(last);
       claim.kind = Claim_kind::crossing;
+      claim.special = last;
       return settle(claim);
     }
     for (int v = 0; v < 2; ++v) {
@@ -208,7 +229,7 @@ private:
 
   void emit(const Claim<2>& claim)
   {
-    if (observer_) observer_->on_claim(claim);
+    if (keeps_claims) claims.push_back(claim);
   }
 
   /// The variable along which the polynomial varies more steadily.
@@ -338,21 +359,52 @@ private:
 
   // ------------------------------------------------------------------------------------------------- nodes
 
-  /// Three conditions make the zero set in a box two arcs that cross in p: the cause proves F = 0 and ∇F = 0 at p; a
-  /// dominant indefinite Hessian makes p the only critical point of the box, of degree -1; and the box's boundary has
-  /// exactly 2(1-(-1)) = 4 crossings. Where p lies on the unit cell's boundary, the polynomial is continued and the box
-  /// reaches over; F is strictly convex or concave along the boundary line, so that p is its only zero there and each
-  /// half-branch stays on its side: clipping keeps just those inside.
-  bool is_node_cell(Index i, std::size_t special)
+  /// Three conditions make the zero set in a box a star of 2(1 - index) half-branches that leave p: F and ∇F vanish at p; p is
+  /// the only critical point of the box; and the box's boundary has exactly as many crossings, all of them simple. Where p
+  /// lies on the unit cell's boundary, the polynomial is continued and the box reaches over; p is the only zero on the
+  /// boundary line, so that each half-branch stays on its side: clipping keeps just those inside.
+  bool is_node_cell(Index i, std::size_t special, bool is_regular)
   {
-    const Isolated_point& p = graph_.special[special];
-    const Box<2>& box = tree_[i].box;
+    const Isolated_point p = graph_.special[special];
+    const Box<2> box = tree_[i].box, whole = p.on_boundary() ? continued_box(box, p) : box;
     for (std::size_t v = 0; v < 2; ++v)
       if (p.face[v] < 0 && !(box.lo[v] < p.box[v].inf() && p.box[v].sup() < box.hi[v])) return false;
+    for (const Isolated_point& other : graph_.special)
+      if (!is_crossing(other) && touches(other, box)) return false; // its place would be lost in here
+    const std::optional<int> index = is_regular ? std::optional<int>(hessian_index_[i]) : index_of_only_critical_point(whole, special);
+    if (!index || (!is_regular && p.on_boundary() && !is_only_zero_on_boundary(i, p))) return false;
     bool simple = true;
-    const std::size_t crossings = boundary_crossings(i, p, simple).size();
+    const auto crossings = static_cast<int>(boundary_crossings(i, p, simple).size());
     if (!simple) return false;
-    return p.on_boundary() ? crossings_of_free_box(continued_box(box, p)) == 4 : crossings == 4;
+    return (p.on_boundary() ? crossings_of_free_box(whole) : crossings) == 2 * (1 - *index);
+  }
+
+  /// By exact projections of all critical points.
+  std::optional<int> index_of_only_critical_point(const Box<2>& box, std::size_t special)
+  {
+    const std::optional<Box<2>>& alone = special_.alone_box(special);
+    if (!alone) return std::nullopt;
+    for (std::size_t v = 0; v < 2; ++v)
+      if (!(alone->lo[v] < box.lo[v] && box.hi[v] < alone->hi[v])) return std::nullopt;
+    return special_.critical().index(box);
+  }
+
+  /// On the faces of the unit cell on which p lies, the cell has no other zero than p.
+  bool is_only_zero_on_boundary(Index i, const Isolated_point& p)
+  {
+    for (int v = 0; v < 2; ++v) {
+      const int side = p.face[static_cast<std::size_t>(v)];
+      if (side < 0) continue;
+      Face_segment& s = segments_.solved(face_of(i, v, side));
+      if (s.set.identically_zero || !s.set.complete) return false;
+      const auto w = static_cast<std::size_t>(1 - v);
+      std::size_t zeros = 0;
+      for (std::size_t r = segments_.lower_bound(s, tree_[i].box.lo[w]);
+           r < s.set.roots.size() && segments_.compare(s, r, tree_[i].box.hi[w]) <= 0; ++r)
+        ++zeros;
+      if (zeros != 1) return false;
+    }
+    return true;
   }
 
   /// The cell, continued over the unit cell's faces on which the point lies.
@@ -397,22 +449,22 @@ private:
     return count;
   }
 
-  /// Whether a dominant indefinite Hessian (and at the boundary, convexity along it) holds on the cell: tested where
-  /// the cell is still large, for on the smallest ones the second differences drown in the coefficients' errors; it
-  /// carries over to all parts.
-  bool has_single_critical_point(Index i, std::size_t special)
+  /// Whether a dominant Hessian (and at the boundary, convexity along it) makes the point the only critical one of the cell:
+  /// tested where the cell is still large, for on the smallest ones the second differences drown in the coefficients'
+  /// errors; it carries over to all parts.
+  bool has_regular_critical_point(Index i, std::size_t special)
   {
-    hessian_proved_.resize(tree_.size(), 0);
+    hessian_index_.resize(tree_.size(), 0);
     const Index parent = tree_[i].parent;
-    if (parent != Cell_tree::none && hessian_proved_[parent]) hessian_proved_[i] = 1;
-    if (hessian_proved_[i]) return true;
+    if (parent != Cell_tree::none && hessian_index_[parent] != 0) hessian_index_[i] = hessian_index_[parent];
+    if (hessian_index_[i] != 0) return true;
     const Isolated_point& p = graph_.special[special];
     const auto f = system_.equations[0]->enclosure(continued_box(tree_[i].box, p));
-    bool proved = has_dominant_indefinite_hessian(f);
+    int index = index_by_dominant_hessian(f);
     for (int v = 0; v < 2; ++v)
-      if (p.face[static_cast<std::size_t>(v)] >= 0) proved = proved && !contains_zero(range(derivative(derivative(f, 1 - v), 1 - v)));
-    hessian_proved_[i] = proved;
-    return proved;
+      if (p.face[static_cast<std::size_t>(v)] >= 0 && contains_zero(range(derivative(derivative(f, 1 - v), 1 - v)))) index = 0;
+    hessian_index_[i] = static_cast<signed char>(index);
+    return index != 0;
   }
 
   static Interval range(const Bernstein<Interval, 2>& f)
@@ -422,18 +474,20 @@ private:
     return r;
   }
 
-  static bool has_dominant_indefinite_hessian(const Bernstein<Interval, 2>& f)
+  /// The index of the gradient's only zero: 1 where the Hessian is definite, -1 where it is indefinite; 0 where neither is proved.
+  static int index_by_dominant_hessian(const Bernstein<Interval, 2>& f)
   {
     const auto ft = derivative(f, 0), fr = derivative(f, 1);
     const Interval a = range(derivative(ft, 0)), b = range(derivative(ft, 1)), d = range(derivative(fr, 1));
     const double ma = midpoint(a), mb = midpoint(b), md = midpoint(d), det = ma * md - mb * mb;
-    if (!(det < 0) || !std::isfinite(1 / det)) return false;
+    if (det == 0 || !std::isfinite(1 / det)) return 0;
     const double y[2][2] = {{md / det, -mb / det}, {-mb / det, ma / det}};
     for (int r = 0; r < 2; ++r) {
       const Interval m0 = Interval(y[r][0]) * a + Interval(y[r][1]) * b, m1 = Interval(y[r][0]) * b + Interval(y[r][1]) * d;
-      if (!(mignitude(r == 0 ? m0 : m1) > magnitude(r == 0 ? m1 : m0))) return false;
+      if (!(mignitude(r == 0 ? m0 : m1) > magnitude(r == 0 ? m1 : m0))) return 0;
     }
-    return (a * d - b * b).sup() < 0;
+    const Sign sign = sign_of(a * d - b * b);
+    return sign == Sign::positive ? 1 : sign == Sign::negative ? -1 : 0;
   }
 
   /// Vertices where the zero set meets the cell's boundary, counterclockwise from the low corner; `simple` is false
@@ -476,7 +530,9 @@ private:
     bool simple = true;
     const std::vector<std::size_t> crossings = boundary_crossings(i, p, simple);
     Graph_vertex node;
-    node.kind = p.on_boundary() && crossings.size() < 2 ? Graph_vertex::Kind::end : Graph_vertex::Kind::node;
+    node.kind = p.on_boundary() && crossings.size() < 2 ? Graph_vertex::Kind::end
+                : crossings.empty()                     ? Graph_vertex::Kind::isolated
+                                                        : Graph_vertex::Kind::node;
     node.at = p.box;
     for (std::size_t v = 0; v < 2; ++v)
       if (p.face[v] >= 0) node.at[v] = Interval(p.face[v]);
@@ -805,7 +861,7 @@ private:
   {
     for (std::size_t k = 0; k < undecided_cells_.size(); ++k)
       report_undecided({tree_[undecided_cells_[k]].box, undecided_reason_[k]});
-    for (const auto& [cause, box] : cause_undecided_)
+    for (const auto& [cause, box] : special_.undecided)
       if (may_hold_zeros(box)) report_undecided({box, "cannot decide the solutions of " + system_.causes[cause].name});
   }
 
@@ -868,8 +924,8 @@ private:
 
   const System<1, 2>& system_;
   const Solve_control& control_;
-  Claim_observer<2>* observer_;
-  std::chrono::steady_clock::time_point start_;
+  const Curve_attempt& attempt_;
+  Special_points& special_;
   Curve_graph graph_;
   Cell_tree tree_;
   Face_segments segments_;
@@ -877,11 +933,55 @@ private:
   std::vector<Index> graph_cells_, node_cells_, corner_cells_, outside_cells_, undecided_cells_;
   std::vector<std::pair<int, Sign>> pivot_;
   std::vector<std::size_t> node_of_;
-  std::vector<char> hessian_proved_;
+  std::vector<signed char> hessian_index_; ///< of the gradient's only zero in a cell, where the Hessian proves it
   std::vector<const char*> undecided_reason_;
-  std::vector<std::pair<std::size_t, Box<2>>> cause_undecided_;
   std::vector<Place> where_;
 };
+
+inline bool has_irregular_node(const Curve_graph& graph, const Special_points& special)
+{
+  return std::any_of(graph.special.begin(), graph.special.end(),
+                     [&](const Isolated_point& p) { return p.evidence && special.is_crossing(p); });
+}
+
+/// Attempts one after the other: first without an eye for singular points that no cause explains; where cells stay open, with
+/// those that exact algebra finds there. A singular point whose branches touch needs many cells near it: if too many, its own
+/// is left larger.
+inline Curve_graph solve_curves_by_attempts(const System<1, 2>& system, const Solve_control& control, Claim_observer<2>* observer)
+{
+  constexpr double doubtful_width = 0x1p-16;
+  constexpr std::size_t doubtful_cells = 3000;
+  constexpr double largest_node_width = 0x1p-6;
+  Special_points special(system, control);
+  special.solve_causes();
+  Solve_statistics before;
+  Curve_attempt attempt;
+  attempt.start = std::chrono::steady_clock::now();
+  attempt.node_width = control.node_width;
+  attempt.doubtful_width = doubtful_width;
+  attempt.doubtful_cells = doubtful_cells;
+  for (;;) {
+    const std::size_t left = control.max_cells - std::min(control.max_cells, before.cells);
+    const bool may_try_again = attempt.node_width < largest_node_width;
+    attempt.max_cells = may_try_again ? (left + 1) / 2 : left;
+    Curve_solver solver(system, control, attempt, special);
+    solver.keeps_claims = observer != nullptr;
+    Curve_graph graph = solver.run();
+    graph.statistics += before;
+    if (!solver.doubtful.empty()) {
+      special.find_singular_points(solver.doubtful);
+      attempt.doubtful_width = 0;
+      attempt.doubtful_cells = static_cast<std::size_t>(-1);
+    } else if (may_try_again && !graph.undecided.empty() && !control.is_cancelled() && has_irregular_node(graph, special)) {
+      attempt.node_width = std::min(largest_node_width, attempt.node_width * 0x1p8);
+    } else {
+      if (observer)
+        for (const Claim<2>& claim : solver.claims) observer->on_claim(claim);
+      return graph;
+    }
+    before = graph.statistics;
+  }
+}
 
 } // namespace detail
 
@@ -890,7 +990,7 @@ private:
 inline Curve_graph solve_curves(const System<1, 2>& system, const Solve_control& control = {},
                                 Claim_observer<2>* observer = nullptr)
 {
-  return detail::Curve_solver(system, control, observer).run();
+  return detail::solve_curves_by_attempts(system, control, observer);
 }
 
 } // namespace locus

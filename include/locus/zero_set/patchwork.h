@@ -22,7 +22,8 @@ struct Patch {
   Corner_chart chart;
   std::size_t cell = 0;              ///< which cell of the domain
   std::vector<char> dropped;         ///< pieces that do not belong to the answer; may be empty
-  std::vector<char> is_pole;         ///< vertices where what the zero set stands for goes to infinity
+  /// Vertices where what the zero set stands for goes to infinity; 2 where it does so though the vertex is singular.
+  std::vector<char> is_pole;
   std::vector<char> is_final;        ///< vertices where arcs end for good, each by itself: on a diagonal
   std::vector<char> is_corner;       ///< vertices at a corner that is blown up; 2 where all branches there have one image
 
@@ -359,7 +360,7 @@ private:
   void settle(Patchwork_vertex& v)
   {
     using Kind = Graph_vertex::Kind;
-    bool is_open = false, is_boundary = false, is_crossing_point = false, is_isolated = false, is_corner = false, one_image = true;
+    bool is_open = false, is_boundary = false, is_crossing_point = false, is_isolated = false, is_corner = false, one_image = true, is_singular_pole = false;
     for (const Member& m : v.members) {
       const Graph_vertex& g = vertex(m);
       is_open = is_open || g.kind == Kind::open;
@@ -368,12 +369,13 @@ private:
       one_image = one_image && patch(m).is_corner[m.vertex] != 1;
       v.is_final = v.is_final || patch(m).is_final[m.vertex];
       v.is_pole = v.is_pole || patch(m).is_pole[m.vertex];
+      is_singular_pole = is_singular_pole || patch(m).is_pole[m.vertex] == 2;
       is_crossing_point = is_crossing_point || g.kind == Kind::node || g.kind == Kind::end;
       is_boundary = is_boundary || ends_here_.count(id(m)) != 0 || is_on_boundary(m);
     }
     const std::size_t n = degree(v);
     v.is_corner = is_corner;
-    v.is_pole = v.is_pole && !is_crossing_point; // where the curves meet, their tangents may well look like a common one
+    v.is_pole = is_singular_pole || (v.is_pole && !is_crossing_point); // where the curves meet, their tangents may well look like a common one
     if (v.is_final) v.kind = Kind::boundary;
     else if (n > 2 || (n == 2 && (is_crossing_point || !one_image))) v.kind = Kind::node;
     else if (v.is_pole) v.kind = Kind::mark;

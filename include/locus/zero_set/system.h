@@ -73,6 +73,10 @@ private:
   Bernstein<Interval, D> enclosure_;
 };
 
+/// `cause` and `tag` of a singular point that no cause explains.
+inline constexpr std::size_t no_cause = static_cast<std::size_t>(-1);
+inline constexpr int no_tag = -1;
+
 /// An isolated solution of D equations in D variables: the only one in `box`, which may reach a little over the unit
 /// cell.
 template <int D>
@@ -83,6 +87,8 @@ struct Isolated_solution {
   std::size_t cause = 0; ///< index of the cause that it solves
   int tag = 0;           ///< that cause's tag
   Box<D> unique_in;      ///< larger box with no other solution of the same equations
+  /// What proves the solution where it is not regular, and no interval test can.
+  std::shared_ptr<const Algebraic_evidence> evidence;
 
   Isolated_solution() { face.fill(-1); }
 

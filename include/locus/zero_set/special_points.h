@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_ZERO_SET_SPECIAL_POINTS_H
+#define LOCUS_ZERO_SET_SPECIAL_POINTS_H
+
+#include <locus/zero_set/critical_points.h>
+#include <locus/zero_set/curve_graph.h>
+#include <locus/zero_set/solve_control.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace locus {
+namespace detail {
+
+/// Boxes that touch, put together to their common hulls.
+inline std::vector<Box<2>> clustered(const std::vector<Box<2>>& boxes)
+{
+  std::vector<Box<2>> clusters;
+  for (Box<2> box : boxes)
+    for (std::size_t j = 0;;) {
+      if (j == clusters.size()) {
+        clusters.push_back(box);
+        break;
+      }
+      const Box<2>& other = clusters[j];
+      if (other.lo[0] > box.hi[0] || other.hi[0] < box.lo[0] || other.lo[1] > box.hi[1] || other.hi[1] < box.lo[1]) {
+        ++j;
+        continue;
+      }
+      for (std::size_t v = 0; v < 2; ++v) {
+        box.lo[v] = std::min(box.lo[v], other.lo[v]);
+        box.hi[v] = std::max(box.hi[v], other.hi[v]);
+      }
+      clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(j));
+      j = 0;
+    }
+  return clusters;
+}
+
+/// The points of a system's zero set that need care: the solutions of its causes, and singular points without a cause.
+class Special_points {
+public:
+  Special_points(const System<1, 2>& system, const Solve_control& control) : system_(system), control_(control) {}
+
+  std::vector<Isolated_point> points;
+  /// What a cause's solver left open, and its index.
+  std::vector<std::pair<std::size_t, Box<2>>> undecided;
+  std::size_t cells = 0; ///< of the causes' solves
+  /// Whether the exact layer was asked for singular points and could not answer.
+  bool has_multiple_component = false;
+
+  /// Solves the causes: by intervals where their solutions are regular, else exactly.
+  void solve_causes()
+  {
+    for (std::size_t c = 0; c < system_.causes.size(); ++c) {
+      const Cause<2>& cause = system_.causes[c];
+      const auto solved = solve_points(cause.equations, control_);
+      cells += solved.cells;
+      for (const Isolated_point& p : solved.points) add(p, c);
+      if (solved.undecided.empty()) continue;
+      const std::vector<Box<2>> boxes = clustered(solved.undecided);
+      const bool needs_them = std::any_of(boxes.begin(), boxes.end(), [&](const Box<2>& box) { return may_hold_zeros(box); });
+      const Common_zeros zeros({cause.equations[0]->exact(), cause.equations[1]->exact()});
+      if (!needs_them) continue;
+      if (control_.is_cancelled() || !zeros.is_finite()) {
+        for (const Box<2>& box : boxes) undecided.push_back({c, box});
+        continue;
+      }
+      for (const Box<2>& box : boxes)
+        for (const Isolated_point& p : solutions_in(zeros, box)) add(p, c);
+    }
+  }
+
+  /// Looks for singular points in parts of the unit cell that subdivision could not settle. True if any were found.
+  bool find_singular_points(const std::vector<Box<2>>& parts)
+  {
+    const std::size_t before = points.size();
+    if (!critical().is_finite()) {
+      has_multiple_component = true;
+      return false;
+    }
+    std::vector<Isolated_point> known;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(known), [this](const Isolated_point& p) { return is_crossing(p); });
+    for (const Box<2>& part : clustered(parts))
+      for (const Isolated_point& p : critical().on_curve(part, known)) add_singular(p);
+    return points.size() > before;
+  }
+
+  bool is_crossing(const Isolated_point& p) const
+  {
+    return p.cause == no_cause || system_.causes[p.cause].proves == Claim_kind::crossing;
+  }
+
+  /// The largest box that is known to have p as its only critical point.
+  const std::optional<Box<2>>& alone_box(std::size_t p)
+  {
+    alone_.resize(points.size());
+    if (!alone_[p].is_known) {
+      alone_[p].is_known = true;
+      if (critical().is_finite()) alone_[p].box = critical().alone_about(points[p], reach);
+    }
+    return alone_[p].box;
+  }
+
+  const Critical_points& critical()
+  {
+    if (!critical_) critical_.emplace(system_.equations[0]->exact());
+    return *critical_;
+  }
+
+private:
+  static constexpr double reach = 0x1p-6;
+
+  void add(Isolated_point p, std::size_t cause)
+  {
+    p.cause = cause;
+    p.tag = system_.causes[cause].tag;
+    if (is_explained(system_.causes[cause], p) || (system_.causes[cause].leave_out && system_.causes[cause].leave_out(p))) return;
+    for (const Isolated_point& known : points)
+      if (known.cause == cause && (lies_within(known, p.unique_in) || lies_within(p, known.unique_in))) return;
+    points.push_back(std::move(p));
+  }
+
+  /// A singular point that is no solution of a cause for singular points. Where it solves another cause, it takes over that
+  /// one's tag.
+  void add_singular(Isolated_point p)
+  {
+    for (const Isolated_point& known : points)
+      if (is_crossing(known) && lies_within(known, p.unique_in)) return; // that one is critical, too
+    p.cause = no_cause;
+    p.tag = no_tag;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (is_crossing(points[k]) || !overlap(points[k].box[0], p.box[0]) || !overlap(points[k].box[1], p.box[1])) continue;
+      Box<2> at;
+      for (std::size_t v = 0; v < 2; ++v) {
+        at.lo[v] = p.box[v].inf();
+        at.hi[v] = p.box[v].sup();
+      }
+      if (critical().on_curve(at, system_.causes[points[k].cause].equations).empty()) continue;
+      p.tag = points[k].tag;
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(k));
+      break;
+    }
+    alone_.clear();
+    points.push_back(std::move(p));
+  }
+
+  static bool lies_within(const Isolated_point& p, const Box<2>& box)
+  {
+    for (std::size_t v = 0; v < 2; ++v)
+      if (!(box.lo[v] < p.box[v].inf() && p.box[v].sup() < box.hi[v])) return false;
+    return true;
+  }
+
+  /// The point is the solution of an included cause: both lie where this cause has one solution only.
+  bool is_explained(const Cause<2>& cause, const Isolated_point& p) const
+  {
+    for (const Isolated_point& known : points)
+      if (std::find(cause.includes.begin(), cause.includes.end(), known.cause) != cause.includes.end() && lies_within(known, p.unique_in))
+        return true;
+    return false;
+  }
+
+  bool may_hold_zeros(const Box<2>& box) const
+  {
+    const auto f = system_.equations[0]->enclosure(box);
+    Range_sign_of sign;
+    for (const Interval& c : f.coefficients()) sign.add(sign_of(c));
+    return !is_strict(sign.result());
+  }
+
+  struct Alone {
+    bool is_known = false;
+    std::optional<Box<2>> box;
+  };
+
+  const System<1, 2>& system_;
+  const Solve_control& control_;
+  std::vector<Alone> alone_;
+  std::optional<Critical_points> critical_;
+};
+
+} // namespace detail
+} // namespace locus
+
+#endif
