@@ -163,6 +163,88 @@ TEST_CASE("the peers' pairs: components, cells, no failed filter", "[bisector]")
   CHECK(covers);
 }
 
+namespace {
+
+/// The exact value of F3 and of the determinant of its Hessian, by differences so small that no sign depends on them.
+struct Singular_signs {
+  int value, determinant, curvature;
+};
+
+Singular_signs signs_at(const Control_curve& a, const Control_curve& b, const Rational& t, const Rational& r)
+{
+  const Plain_curve p(a), q(b);
+  const Rational h = two_to(-100);
+  const auto f = [&](int i, int j) { return plain_f3(p, q, Rational(t + i * h), Rational(r + j * h)); };
+  const Rational tt = f(1, 0) - 2 * f(0, 0) + f(-1, 0), rr = f(0, 1) - 2 * f(0, 0) + f(0, -1);
+  const Rational tr = (f(1, 1) - f(1, -1) - f(-1, 1) + f(-1, -1)) / 4;
+  return {sgn(f(0, 0)), sgn(Rational(tt * rr - tr * tr)), sgn(tt)};
+}
+
+/// What the zero set near the singular point of the pair becomes when the second curve is shifted by ±2^-k.
+void check_shifts(const char* name, const Control_curve& a, const Control_curve& b, const Rational& t, const Rational& r)
+{
+  const Locus<2> still = solve(a, b);
+  INFO(name << ": " << show(graph_numbers(still)) << " " << reasons(still));
+  REQUIRE(is_certified(still));
+  for (int k = 20; k <= 60; k += 4)
+    for (const int sign : {-1, 1}) {
+      const Control_curve shifted = translated(b, Rational(sign * two_to(-k)), 0);
+      const Locus<2> l = solve(a, shifted);
+      const Singular_signs s = signs_at(a, shifted, t, r);
+      INFO(name << " shifted by " << sign << "·2^-" << k << ": " << show(graph_numbers(l)) << " " << reasons(l));
+      REQUIRE(s.value != 0);
+      REQUIRE(s.determinant != 0);
+      CHECK(is_certified(l));
+      CHECK(count(l, Vertex_kind::isolated) == 0u);
+      if (s.determinant > 0) { // a loop where the value has the other sign than the curvature, else nothing
+        const bool is_loop = s.value != s.curvature;
+        CHECK(l.arcs().size() == still.arcs().size() + (is_loop ? 1u : 0u));
+        CHECK(l.components() == still.components() - (is_loop ? 0u : 1u));
+        CHECK(graph_numbers(l).closed == graph_numbers(still).closed + (is_loop ? 1u : 0u));
+      } else { // four half-branches become two branches
+        CHECK(count(l, Vertex_kind::node) + 1 == count(still, Vertex_kind::node));
+        CHECK(l.arcs().size() + 2 == still.arcs().size());
+      }
+    }
+}
+
+/// The curve over u = t² + t: what was at a rational place u is at an irrational one.
+Control_curve over_t_squared_plus_t(const Control_curve& c)
+{
+  // Of a polynomial quadratic: x(u) = Σ a_i u^i.
+  Control_curve result;
+  result.points.resize(5);
+  for (std::size_t v = 0; v < 2; ++v) {
+    const Rational a0 = c.points[0][v], a1 = 2 * (c.points[1][v] - c.points[0][v]), a2 = c.points[2][v] - 2 * c.points[1][v] + c.points[0][v];
+    const std::array<Rational, 5> m{a0, a1, Rational(a1 + a2), Rational(2 * a2), a2};
+    for (int i = 0; i <= 4; ++i) {
+      Rational b = 0;
+      for (int j = 0; j <= i; ++j) b += Rational(choose(i, j)) / Rational(choose(4, j)) * m[static_cast<std::size_t>(j)];
+      result.points[static_cast<std::size_t>(i)][v] = b;
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+TEST_CASE("a singular point opens as the signs there say, however small the shift", "[bisector]")
+{
+  const Control_curve bow = curve_of({{"-0.375", "-0.9395751953125"}, {"-0.125", "-1.0135498046875"}, {"0.125", "-1.0333251953125"}, {"0.375", "-0.9197998046875"}});
+  const Control_curve tie = curve_of({{"0.9395751953125", "-0.375"}, {"1.0135498046875", "-0.125"}, {"1.0333251953125", "0.125"}, {"0.9197998046875", "0.375"}});
+  check_shifts("isolated point", bow, tie, Rational(1, 2), Rational(1, 2));
+  check_shifts("node", bow, reversed(mirrored_in_x_axis(tie)), Rational(1, 2), Rational(1, 2));
+  // The parabola y = x²/2 and itself turned by a quarter about the centre (-1, 5/2) of its circle of curvature at x = 1,
+  // or mirrored besides. The place x = 1 is half way; over t² + t it is at t = (√3 - 1)/2.
+  const Control_curve parabola = curve_of({{"0", "0"}, {"1", "0"}, {"2", "2"}});
+  const Control_curve turned = translated(moved(translated(parabola, 1, Rational(-5, 2)), {0, -1, 1, 0}, {0, 0}), -1, Rational(5, 2));
+  const Control_curve mirrored = translated(moved(translated(parabola, 1, Rational(-5, 2)), {0, 1, 1, 0}, {0, 0}), -1, Rational(5, 2));
+  Rational place(3, 8);
+  for (int i = 0; i < 9; ++i) place = Rational((place * place + Rational(1, 2)) / (2 * place + 1)); // Newton's steps to t² + t = 1/2
+  for (const Control_curve* other : {&turned, &mirrored})
+    check_shifts(other == &turned ? "irrational, turned" : "irrational, mirrored", over_t_squared_plus_t(parabola), over_t_squared_plus_t(*other), place, place);
+}
+
 TEST_CASE("far away, tiny and huge inputs give the same answer", "[bisector]")
 {
   // Decimals as strings, so that the inputs are exact: 1e8 away, and from 1e-300 to 1e200 in size.
@@ -423,18 +505,19 @@ TEST_CASE("the pairs with a known singular structure", "[bisector]")
 {
   const Control_curve bow = curve_of({{"-0.375", "-0.9395751953125"}, {"-0.125", "-1.0135498046875"}, {"0.125", "-1.0333251953125"}, {"0.375", "-0.9197998046875"}});
   const Control_curve tie = curve_of({{"0.9395751953125", "-0.375"}, {"1.0135498046875", "-0.125"}, {"1.0333251953125", "0.125"}, {"0.9197998046875", "0.375"}});
-  { // an isolated point at (1/2, 1/2): not decided in this version, and no other place is left open
+  { // an isolated point at (1/2, 1/2)
     const Locus<2> l = solve(bow, tie);
     INFO(show(graph_numbers(l)) << " " << reasons(l));
-    CHECK_FALSE(is_certified(l));
-    REQUIRE(l.undecided().size() == 1u);
-    const auto& box = l.undecided()[0].box;
-    for (std::size_t k = 0; k < 2; ++k) {
-      CHECK(box[k].lo <= 0.5);
-      CHECK(box[k].hi >= 0.5);
-      CHECK(width(box[k]) < 1e-3);
-    }
+    CHECK(is_certified(l));
+    CHECK(l.components() == 1u);
     CHECK(l.arcs().empty());
+    REQUIRE(l.vertices().size() == 1u);
+    CHECK(l.vertices()[0].kind == Vertex_kind::isolated);
+    for (const auto& foot : l.vertices()[0].feet) {
+      CHECK(foot.parameters[0].lo == 0.5);
+      CHECK(foot.parameters[0].hi == 0.5);
+    }
+    REQUIRE(l.vertices()[0].point);
   }
   { // a node at (1/2, 1/2) of two osculating circles
     const Locus<2> l = solve(bow, reversed(mirrored_in_x_axis(tie)));
@@ -479,13 +562,20 @@ TEST_CASE("the pairs with a known singular structure", "[bisector]")
       CHECK(l.components() == 1u);
     }
   }
-  { // two parabolas that touch with different curvatures: a triple point, not decided in this version
+  { // two parabolas that touch with different curvatures: a triple point with six half-branches
     const Locus<2> l = solve(curve_of({{"-1", "1"}, {"0", "-1"}, {"1", "1"}}), curve_of({{"-1", "-1"}, {"0", "1"}, {"1", "-1"}}));
     INFO(show(graph_numbers(l)) << " " << reasons(l));
-    CHECK_FALSE(is_certified(l));
-    bool found = false;
-    for (const auto& u : l.undecided()) found = found || (u.box[0].lo <= 0.5 && 0.5 <= u.box[0].hi && u.box[1].lo <= 0.5 && 0.5 <= u.box[1].hi);
-    CHECK(found);
+    CHECK(is_certified(l));
+    CHECK(l.components() == 1u);
+    CHECK(l.arcs().size() == 6u);
+    REQUIRE(count(l, Vertex_kind::node) == 1u);
+    for (const auto& v : l.vertices()) {
+      if (v.kind != Vertex_kind::node) continue;
+      CHECK(v.half_branches.size() == 6u);
+      CHECK(v.feet[0].parameters[0].lo == 0.5);
+      REQUIRE(v.point);
+      CHECK(std::hypot((*v.point)[0], (*v.point)[1]) < 1e-12); // where the curves touch
+    }
   }
   { // a line and an arc that starts tangent to it: r = 0 is degenerate, G = 0 the rest
     const Control_curve line = curve_of({{"-2", "0"}, {"0", "0"}}), arc = curve_of({{"0", "0"}, {"1", "0"}, {"1", "1"}}, {"1", "1/2", "1"});

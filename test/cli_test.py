@@ -290,9 +290,9 @@ def test_command_line(folder):
         ("check without a certificate", ["check"], ["CERTIFICATE"]),
     ]:
         check_refusal(name, run(arguments), 2, words)
-    for name, arguments, words in [("certificate", [path, "--certificate", out], ["certificate"]), ("mesh", [path, "--ply", out], ["mesh"]),
-                                   ("check", ["check", out], ["certificate"])]:
-        check_refusal(name, run(arguments), 4, words)
+    check_refusal("mesh", run([path, "--ply", out]), 4, ["mesh"])
+    check_refusal("a job for a certificate", run(["check", path]), 2, ["certificate"])
+    check_refusal("no certificate", run(["check", os.path.join(folder, "absent.json")]), 2, ["absent.json"])
     with open(path) as f:
         check(f.read() == TEXT, "the job was overwritten")
     if os.path.exists("/dev/full"):

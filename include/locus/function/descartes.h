@@ -195,9 +195,10 @@ void find_factor(Isolated_root<Coordinate>& root, const std::vector<Square_free_
 } // namespace detail
 
 /// All roots on [lo, hi] with multiplicities: Yun's square-free factors, then Descartes' method on their product, with
-/// as many digits as it takes.
+/// as many digits as it takes; first in doubles, unless those are not to be tried.
 template <class Coordinate>
-Root_set<Coordinate> exact_roots(const Bernstein<Scaled_integer, 1>& f, const Coordinate& lo, const Coordinate& hi)
+Root_set<Coordinate> exact_roots(const Bernstein<Scaled_integer, 1>& f, const Coordinate& lo, const Coordinate& hi,
+                                 bool try_doubles = true)
 {
   Root_set<Coordinate> result;
   if (f.is_zero()) {
@@ -211,7 +212,7 @@ Root_set<Coordinate> exact_roots(const Bernstein<Scaled_integer, 1>& f, const Co
     for (const Square_free_factor& part : parts)
       factors.push_back(std::make_shared<const Bernstein<Scaled_integer, 1>>(bernstein_form(part.factor)));
     const Bernstein<Scaled_integer, 1> all = parts.size() > 1 ? bernstein_form(detail::product_of(parts)) : *factors[0];
-    result.complete = detail::isolate_square_free(all, lo, hi, roots);
+    result.complete = detail::isolate_square_free(all, lo, hi, roots, try_doubles);
     if (result.complete)
       for (auto& root : roots) detail::find_factor(root, parts, factors, lo, hi);
   }

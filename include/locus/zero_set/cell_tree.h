@@ -7,7 +7,8 @@
 #include <locus/number/filter_counts.h>
 #include <locus/zero_set/system.h>
 
-#include <optional>
+#include <limits>
+#include <memory>
 #include <vector>
 
 namespace locus {
@@ -58,6 +59,18 @@ public:
   using Index = std::size_t;
   static constexpr Index none = static_cast<Index>(-1);
 
+  /// Least and greatest of some numbers; empty without any.
+  struct Extent {
+    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+
+    bool is_empty() const { return !(lo <= hi); }
+    void add(double x)
+    {
+      lo = x < lo ? x : lo;
+      hi = x > hi ? x : hi;
+    }
+  };
+
   struct Cell {
     Box<2> box;
     Index parent = none;
@@ -66,13 +79,16 @@ public:
     bool is_high = false; ///< which part of the parent it is
     Index low_child = none, high_child = none;
     double error = 0, norm = 0;
+    Extent coefficients; ///< in doubles
+    mutable std::array<Extent, 2> differences; ///< of neighbours along a variable; empty before the first use
     int depth = 0;
     bool refreshed = false;
-    std::optional<Bernstein<Scaled_integer, 2>> exact;
+    std::unique_ptr<const Bernstein<Scaled_integer, 2>> exact; ///< apart, for few cells ever have it
   };
 
-  Cell_tree(const Equation<2>& equation, Filter_counts& counts)
-    : equation_(equation), counts_(counts), degrees_(equation.degrees()), count_(coefficient_count(degrees_))
+  /// With `all_exact` every sign is decided by the exact rung alone (see `Solve_control::all_exact`).
+  Cell_tree(const Equation<2>& equation, Filter_counts& counts, bool all_exact = false)
+    : equation_(equation), counts_(counts), degrees_(equation.degrees()), count_(coefficient_count(degrees_)), all_exact_(all_exact)
   {
     cells_.reserve(64);
     arena_.reserve(64 * count_);
@@ -90,6 +106,7 @@ public:
   const Degrees<2>& degrees() const { return degrees_; }
   const double* coefficients(Index i) const { return arena_.data() + i * count_; }
   Filter_counts& counts() const { return counts_; }
+  bool all_exact() const { return all_exact_; }
   std::uint64_t exact_cells() const { return exact_cells_; }
 
   /// The cell's polynomial in doubles with its bound.
@@ -117,7 +134,7 @@ public:
     if (!cells_[i].exact) {
       ++exact_cells_;
       if (cells_[i].parent == none) {
-        cells_[i].exact = equation_.exact();
+        keep_exact(i, equation_.exact());
       } else {
         const Index p = cells_[i].parent;
         const Cell& parent = cells_[p];
@@ -125,8 +142,8 @@ public:
         const Rational at = (Rational(parent.split_at) - Rational(parent.box.lo[v])) /
                             (Rational(parent.box.hi[v]) - Rational(parent.box.lo[v]));
         auto parts = split(exact(p), parent.split_variable, at);
-        cells_[parent.low_child].exact = std::move(parts.first);
-        cells_[parent.high_child].exact = std::move(parts.second);
+        keep_exact(parent.low_child, std::move(parts.first));
+        keep_exact(parent.high_child, std::move(parts.second));
       }
     }
     return *cells_[i].exact;
@@ -208,10 +225,8 @@ public:
     return climb(
       i, rung,
       [&] {
-        double lo = 0, hi = 0;
-        difference_range(i, variable, lo, hi);
         const double bound = accumulated_error(2 * cells_[i].error, 2, 2 * cells_[i].norm);
-        return range_of(lo, hi, bound);
+        return range_of(differences(i, variable), bound);
       },
       [&](const Bernstein<Interval, 2>& f) {
         Range_sign_of range;
@@ -231,15 +246,8 @@ public:
   {
     const std::size_t at = static_cast<std::size_t>(low_or_high_0 * degrees_[0]) * (static_cast<std::size_t>(degrees_[1]) + 1) +
                            static_cast<std::size_t>(low_or_high_1 * degrees_[1]);
-    Sign s = sign_of(coefficients(i)[at], cells_[i].error);
-    counts_.record(Rung::bounded, is_certain(s));
-    if (is_certain(s)) return s;
-    if (!exact_near(i) && !cells_[i].refreshed) {
-      adopt(i, equation_.enclosure(cells_[i].box));
-      s = sign_of(coefficients(i)[at], cells_[i].error);
-      counts_.record(Rung::interval, is_certain(s));
-      if (is_certain(s)) return s;
-    }
+    if (!all_exact_)
+      if (const Sign s = filtered_corner_sign(i, at); is_certain(s)) return s;
     counts_.record(Rung::exact, true);
     return exact(i).sign(at);
   }
@@ -247,22 +255,37 @@ public:
   /// Least and greatest difference of neighbouring coefficients along a variable, in doubles.
   void difference_range(Index i, int variable, double& lo, double& hi) const
   {
-    lo = std::numeric_limits<double>::infinity();
-    hi = -lo;
-    for_each_difference(coefficients(i), layout_along(degrees_, variable), [&](double a, double b) {
-      const double d = b - a;
-      lo = d < lo ? d : lo;
-      hi = d > hi ? d : hi;
-    });
+    const Extent& d = differences(i, variable);
+    lo = d.lo;
+    hi = d.hi;
+  }
+
+  /// Whether a coefficient on a face is proved not to be zero, by the bounded rung.
+  bool is_nonzero_on_face(Index i, int variable, bool high) const
+  {
+    const Layout layout = layout_along(degrees_, variable);
+    const double* const c = coefficients(i) + (high ? (layout.count - 1) * layout.inner : 0);
+    for (std::size_t o = 0; o < layout.outer; ++o)
+      for (std::size_t k = 0; k < layout.inner; ++k)
+        if (is_strict(sign_of(c[o * layout.count * layout.inner + k], cells_[i].error))) return true;
+    return false;
   }
 
 private:
-  static Range_sign range_of(double lo, double hi, double bound)
+  static Range_sign range_of(const Extent& x, double bound)
   {
-    if (lo > bound) return Range_sign::positive;
-    if (hi < -bound) return Range_sign::negative;
-    if (lo < -bound && hi > bound) return Range_sign::mixed;
+    if (x.lo > bound) return Range_sign::positive;
+    if (x.hi < -bound) return Range_sign::negative;
+    if (x.lo < -bound && x.hi > bound) return Range_sign::mixed;
     return Range_sign::unknown;
+  }
+
+  /// Computed once: the test of a derivative, the choice of the pivot and that of a cut all ask.
+  const Extent& differences(Index i, int variable) const
+  {
+    Extent& e = cells_[i].differences[static_cast<std::size_t>(variable)];
+    if (e.is_empty()) for_each_difference(coefficients(i), layout_along(degrees_, variable), [&e](double a, double b) { e.add(b - a); });
+    return e;
   }
 
   template <class T, class F>
@@ -273,39 +296,52 @@ private:
       for (std::size_t k = 0; k + layout.inner < block; ++k) f(c[o * block + k], c[o * block + k + layout.inner]);
   }
 
+  /// Sign of a coefficient by the bounded rung, then by a fresh enclosure.
+  Sign filtered_corner_sign(Index i, std::size_t at)
+  {
+    Sign s = sign_of(coefficients(i)[at], cells_[i].error);
+    counts_.record(Rung::bounded, is_certain(s));
+    if (is_certain(s) || exact_near(i) || cells_[i].refreshed) return s;
+    adopt(i, equation_.enclosure(cells_[i].box));
+    s = sign_of(coefficients(i)[at], cells_[i].error);
+    counts_.record(Rung::interval, is_certain(s));
+    return s;
+  }
+
+  void keep_exact(Index i, Bernstein<Scaled_integer, 2> f)
+  {
+    cells_[i].exact = std::make_unique<const Bernstein<Scaled_integer, 2>>(std::move(f));
+  }
+
   bool exact_near(Index i) const
   {
     return cells_[i].exact || (cells_[i].parent != none && cells_[cells_[i].parent].exact);
   }
 
-  Range_sign bounded_range(Index i) const
-  {
-    const double* c = coefficients(i);
-    const auto [lo, hi] = std::minmax_element(c, c + count_);
-    return range_of(*lo, *hi, cells_[i].error);
-  }
+  Range_sign bounded_range(Index i) const { return range_of(cells_[i].coefficients, cells_[i].error); }
 
   /// Asks the bounded rung, then a fresh enclosure on the box, then the exact one. Below an ancestor that needed
   /// exact coefficients the middle rung is left out: zeros there are usually true zeros.
   template <class Bounded_test, class Interval_test, class Exact_test>
   Range_sign climb(Index i, Rung& rung, Bounded_test bounded_test, Interval_test interval_test, Exact_test exact_test)
   {
-    rung = Rung::bounded;
-    Range_sign s = bounded_test();
-    counts_.record(rung, s != Range_sign::unknown);
-    if (s != Range_sign::unknown) return s;
-    if (!exact_near(i)) {
-      rung = Rung::interval;
-      const auto f = equation_.enclosure(cells_[i].box);
-      adopt(i, f);
-      s = interval_test(f);
+    if (!all_exact_) {
+      rung = Rung::bounded;
+      Range_sign s = bounded_test();
       counts_.record(rung, s != Range_sign::unknown);
       if (s != Range_sign::unknown) return s;
+      if (!exact_near(i)) {
+        rung = Rung::interval;
+        const auto f = equation_.enclosure(cells_[i].box);
+        adopt(i, f);
+        s = interval_test(f);
+        counts_.record(rung, s != Range_sign::unknown);
+        if (s != Range_sign::unknown) return s;
+      }
     }
     rung = Rung::exact;
-    s = exact_test(exact(i));
     counts_.record(rung, true);
-    return s;
+    return exact_test(exact(i));
   }
 
   /// Takes over a fresh enclosure where its bound is better than the inherited one.
@@ -322,16 +358,20 @@ private:
 
   void measure(Index i)
   {
-    double m = 0;
     const double* c = coefficients(i);
-    for (std::size_t k = 0; k < count_; ++k) m = std::max(m, std::abs(c[k]));
-    cells_[i].norm = (m + cells_[i].error) * (1 + 2 * operation_error);
+    Extent e;
+    for (std::size_t k = 0; k < count_; ++k) e.add(c[k]);
+    Cell& cell = cells_[i];
+    cell.coefficients = e;
+    cell.differences = {Extent(), Extent()};
+    cell.norm = (std::max(-e.lo, e.hi) + cell.error) * (1 + 2 * operation_error);
   }
 
   const Equation<2>& equation_;
   Filter_counts& counts_;
   Degrees<2> degrees_;
   std::size_t count_;
+  bool all_exact_;
   std::vector<Cell> cells_;
   std::vector<double> arena_;
   std::uint64_t exact_cells_ = 0;

@@ -49,6 +49,8 @@ struct Common_zero {
   std::array<std::array<Rational, 2>, 2> at; ///< closed enclosures, exact where both ends agree
   std::array<std::array<Rational, 2>, 2> alone_in;
   std::optional<Algebraic_evidence> evidence; ///< none where signs on the enclosure's sides prove the zero
+  /// Which of the sufficient pairs of equations it solves, if one of them proves it.
+  std::optional<std::size_t> sufficient;
 };
 
 /// The common zeros of polynomials in two variables, by resultants: exact, whatever their multiplicities. The first two must
@@ -71,12 +73,21 @@ public:
     return true;
   }
 
+  /// Bits that the elimination's integers may need.
+  std::size_t bits() const
+  {
+    if (f_[0].is_zero() || f_[1].is_zero()) return 0;
+    return std::max(detail::resultant_bits(f_[0], f_[1]), detail::resultant_bits(f_[0].swapped(), f_[1].swapped()));
+  }
+
   /// An enclosure, and whether it is of a zero that needs no finding any more.
   using Is_known = std::function<bool(const std::array<std::array<Rational, 2>, 2>&)>;
 
   /// All common zeros in a box; those of the first two polynomials that are known already may be left out. What is near
   /// the box, in `around`, tells how alone the zeros are.
-  std::vector<Common_zero> in(const Rational_box& box, const Rational_box& around, const Is_known& is_known = {}) const
+  /// Where a pair of `sufficient` equations vanishes all polynomials do; a regular zero of such a pair needs no algebra.
+  std::vector<Common_zero> in(const Rational_box& box, const Rational_box& around, const Is_known& is_known = {},
+                              const std::vector<std::array<Form, 2>>& sufficient = {}) const
   {
     std::vector<Common_zero> zeros;
     std::array<Projected_roots, 2> roots;
@@ -92,7 +103,7 @@ public:
     }
     for (Candidate& x : candidate[0])
       for (Candidate& y : candidate[1])
-        if (auto zero = decide(x, y, is_known)) zeros.push_back(std::move(*zero));
+        if (auto zero = decide(x, y, is_known, sufficient)) zeros.push_back(std::move(*zero));
     return zeros;
   }
 
@@ -114,7 +125,8 @@ private:
   };
 
   /// Whether there is a zero above both roots: by signs about the place, of ever smaller size, else by exact algebra.
-  std::optional<Common_zero> decide(Candidate& x, Candidate& y, const Is_known& is_known) const
+  std::optional<Common_zero> decide(Candidate& x, Candidate& y, const Is_known& is_known,
+                                    const std::vector<std::array<Form, 2>>& sufficient) const
   {
     if (is_known && is_known({x.isolating, y.isolating})) return std::nullopt;
     Common_zero zero;
@@ -124,7 +136,11 @@ private:
       y.narrow(bits);
       zero.at = {x.enclosure(), y.enclosure()};
       if (is_refuted(zero.at)) return std::nullopt;
-      if (bits > 20 && f_.size() == 2 && is_surrounded(zero.at)) return zero;
+      if (bits == 20) continue;
+      if (f_.size() == 2 && is_surrounded(form_[0], form_[1], zero.at)) return zero;
+      for (std::size_t k = 0; k < sufficient.size() && !zero.sufficient; ++k)
+        if (is_surrounded(sufficient[k][0], sufficient[k][1], zero.at)) zero.sufficient = k;
+      if (zero.sufficient) return zero;
     }
     Algebraic_extension field = smallest_field(x.enclosure());
     const Extension_polynomial h = common_divisor(field);
@@ -224,11 +240,11 @@ private:
 
   /// Two combinations of both polynomials have opposite signs on opposite sides of the box, one pair of sides each: there is a
   /// common zero inside (Poincaré & Miranda).
-  bool is_surrounded(const Rational_box& box) const
+  static bool is_surrounded(const Form& first, const Form& second, const Rational_box& box)
   {
     for (std::size_t v = 0; v < 2; ++v)
       if (box[v][0] == box[v][1]) return false;
-    const std::array<Bernstein<Rational, 2>, 2> f{restricted(form_[0], box).rational(), restricted(form_[1], box).rational()};
+    const std::array<Bernstein<Rational, 2>, 2> f{restricted(first, box).rational(), restricted(second, box).rational()};
     std::array<std::array<Rational, 2>, 2> slope; // across the box, of f[k] along v
     for (std::size_t k = 0; k < 2; ++k) {
       const int n = f[k].degree(0), m = f[k].degree(1);

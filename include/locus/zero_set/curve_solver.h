@@ -34,7 +34,7 @@ class Curve_solver {
 public:
   Curve_solver(const System<1, 2>& system, const Solve_control& control, const Curve_attempt& attempt, Special_points& special)
     : system_(system), control_(control), attempt_(attempt), special_(special),
-      tree_(*system.equations[0], graph_.statistics.filter), segments_(tree_)
+      tree_(*system.equations[0], graph_.statistics.filter, control.all_exact), segments_(tree_)
   {
   }
 
@@ -142,11 +142,16 @@ private:
     }
   }
 
-  /// Small, or one of too many, and without a singular point that is known.
+  /// Small, or one of too many, and not near a singular point that is known.
   bool is_doubtful(Index i) const
   {
-    const Box<2>& box = tree_[i].box;
-    if (box.max_width() > attempt_.doubtful_width && graph_.statistics.cells < attempt_.doubtful_cells) return false;
+    Box<2> box = tree_[i].box;
+    const double width = box.max_width();
+    if (width > attempt_.doubtful_width && graph_.statistics.cells < attempt_.doubtful_cells) return false;
+    for (std::size_t v = 0; v < 2; ++v) { // about a node the cells are as small as its own
+      box.lo[v] -= 16 * width;
+      box.hi[v] += 16 * width;
+    }
     for (const Isolated_point& p : graph_.special)
       if (is_crossing(p) && touches(p, box)) return false;
     return true;
@@ -938,9 +943,9 @@ private:
   std::vector<Place> where_;
 };
 
-inline bool has_irregular_node(const Curve_graph& graph, const Special_points& special)
+inline bool has_irregular_node(const Special_points& special)
 {
-  return std::any_of(graph.special.begin(), graph.special.end(),
+  return std::any_of(special.points.begin(), special.points.end(),
                      [&](const Isolated_point& p) { return p.evidence && special.is_crossing(p); });
 }
 
@@ -952,6 +957,7 @@ inline Curve_graph solve_curves_by_attempts(const System<1, 2>& system, const So
   constexpr double doubtful_width = 0x1p-16;
   constexpr std::size_t doubtful_cells = 3000;
   constexpr double largest_node_width = 0x1p-6;
+  constexpr std::size_t patient_cells = 1500;
   Special_points special(system, control);
   special.solve_causes();
   Solve_statistics before;
@@ -963,7 +969,7 @@ inline Curve_graph solve_curves_by_attempts(const System<1, 2>& system, const So
   for (;;) {
     const std::size_t left = control.max_cells - std::min(control.max_cells, before.cells);
     const bool may_try_again = attempt.node_width < largest_node_width;
-    attempt.max_cells = may_try_again ? (left + 1) / 2 : left;
+    attempt.max_cells = may_try_again && has_irregular_node(special) ? std::min(left, patient_cells) : left;
     Curve_solver solver(system, control, attempt, special);
     solver.keeps_claims = observer != nullptr;
     Curve_graph graph = solver.run();
@@ -972,7 +978,7 @@ inline Curve_graph solve_curves_by_attempts(const System<1, 2>& system, const So
       special.find_singular_points(solver.doubtful);
       attempt.doubtful_width = 0;
       attempt.doubtful_cells = static_cast<std::size_t>(-1);
-    } else if (may_try_again && !graph.undecided.empty() && !control.is_cancelled() && has_irregular_node(graph, special)) {
+    } else if (may_try_again && !graph.undecided.empty() && !control.is_cancelled() && has_irregular_node(special)) {
       attempt.node_width = std::min(largest_node_width, attempt.node_width * 0x1p8);
     } else {
       if (observer)

@@ -6,6 +6,7 @@
 #include <locus/zero_set/roots.h>
 
 #include <deque>
+#include <memory>
 
 namespace locus {
 namespace detail {
@@ -20,7 +21,7 @@ struct Face_segment {
   bool source_high = false;
 
   bool solved = false;
-  std::optional<Univariate> polynomial;
+  std::unique_ptr<const Univariate> polynomial; ///< apart, for most segments of a large subdivision are never solved
   Root_set<double> set;
   std::vector<int> vertex; ///< vertex number of each root, -1 before the first use
 };
@@ -38,7 +39,7 @@ public:
   std::size_t add(int fixed_variable, double fixed, double lo, double hi, bool on_boundary, Cell_tree::Index source,
                   bool source_high)
   {
-    Face_segment s;
+    Face_segment& s = segments_.emplace_back();
     s.fixed_variable = fixed_variable;
     s.fixed = fixed;
     s.lo = lo;
@@ -46,7 +47,6 @@ public:
     s.on_boundary = on_boundary;
     s.source = source;
     s.source_high = source_high;
-    segments_.push_back(std::move(s));
     return segments_.size() - 1;
   }
 
@@ -59,7 +59,7 @@ public:
     Face_segment& s = segments_[i];
     if (!s.solved) {
       s.solved = true;
-      s.polynomial.emplace(
+      s.polynomial = std::make_unique<const Univariate>(
         face(tree_.bounded_form(s.source), s.fixed_variable, s.source_high), s.lo, s.hi,
         [this, i] {
           const Face_segment& self = segments_[i];
@@ -75,7 +75,7 @@ public:
           box.hi[1 - v] = hi;
           return bounded(face(tree_.equation().enclosure(box), self.fixed_variable, false));
         });
-      s.set = isolate_roots(*s.polynomial);
+      s.set = isolate_roots(*s.polynomial, tree_.all_exact());
       s.vertex.assign(s.set.roots.size(), -1);
     }
     return s;

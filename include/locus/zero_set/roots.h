@@ -133,8 +133,13 @@ private:
 
 /// All roots of `f` on its closed interval with multiplicities: Descartes' method in bounded doubles; where a sign
 /// stays unknown (multiple roots, roots at the ends), exactly by square-free factors.
-inline Root_set<double> isolate_roots(const Univariate& f)
+/// With `all_exact` the latter alone, and the roots keep their factors, so that what refines them is exact as well.
+inline Root_set<double> isolate_roots(const Univariate& f, bool all_exact = false)
 {
+  if (all_exact) {
+    f.counts().record(Rung::exact, true);
+    return exact_roots(f.exact(), f.lo(), f.hi(), false);
+  }
   Root_set<double> result;
   const detail::Filtered_isolator filtered(f.degree());
   const auto attempt = [&](const Bernstein<Bounded, 1>& form, Rung rung) {

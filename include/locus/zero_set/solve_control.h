@@ -19,6 +19,10 @@ struct Solve_control {
   std::size_t max_bits = 1u << 16;                              ///< size of an exact coefficient
   double node_width = 0x1p-22; ///< singular points are enclosed in cells no wider than this part of a piece
 
+  /// Signs on cells, of derivatives and at corners, and roots on faces, are decided by exact integers alone, without the
+  /// filters: a check of the filters, many times slower. Causes are solved, and cuts are chosen, as always.
+  bool all_exact = false;
+
   /// Called now and then with the number of cells done and open, rounding to nearest.
   std::function<void(std::size_t done, std::size_t open)> progress;
 

@@ -62,7 +62,7 @@ public:
       const bool needs_them = std::any_of(boxes.begin(), boxes.end(), [&](const Box<2>& box) { return may_hold_zeros(box); });
       const Common_zeros zeros({cause.equations[0]->exact(), cause.equations[1]->exact()});
       if (!needs_them) continue;
-      if (control_.is_cancelled() || !zeros.is_finite()) {
+      if (is_late() || zeros.bits() > control_.max_bits || !zeros.is_finite()) {
         for (const Box<2>& box : boxes) undecided.push_back({c, box});
         continue;
       }
@@ -71,19 +71,34 @@ public:
     }
   }
 
-  /// Looks for singular points in parts of the unit cell that subdivision could not settle. True if any were found.
-  bool find_singular_points(const std::vector<Box<2>>& parts)
+  /// Looks for singular points in parts of the unit cell that subdivision could not settle: by intervals and rational
+  /// arithmetic, then by elimination. What a limit leaves open stays open.
+  void find_singular_points(const std::vector<Box<2>>& parts)
   {
-    const std::size_t before = points.size();
-    if (!critical().is_finite()) {
-      has_multiple_component = true;
-      return false;
+    if (critical().bits() > control_.max_bits) return;
+    for (const Box<2>& part : clustered(parts)) {
+      if (is_late()) return;
+      const auto nearby = critical().nearby(part, control_);
+      for (const Isolated_point& p : nearby.on_curve) add_singular(p);
+      if (nearby.is_complete || is_late()) continue;
+      if (!critical().is_finite()) {
+        has_multiple_component = true;
+        return;
+      }
+      std::vector<Isolated_point> known;
+      std::copy_if(points.begin(), points.end(), std::back_inserter(known), [this](const Isolated_point& p) { return is_crossing(p); });
+      std::vector<std::size_t> cause;
+      std::vector<std::array<Bernstein<Scaled_integer, 2>, 2>> sufficient;
+      for (std::size_t c = 0; c < system_.causes.size(); ++c)
+        if (system_.causes[c].proves == Claim_kind::crossing) {
+          cause.push_back(c);
+          sufficient.push_back({system_.causes[c].equations[0]->exact(), system_.causes[c].equations[1]->exact()});
+        }
+      for (const Isolated_point& p : critical().on_curve(part, known, sufficient)) {
+        if (p.cause == no_cause) add_singular(p);
+        else add(p, cause[p.cause]);
+      }
     }
-    std::vector<Isolated_point> known;
-    std::copy_if(points.begin(), points.end(), std::back_inserter(known), [this](const Isolated_point& p) { return is_crossing(p); });
-    for (const Box<2>& part : clustered(parts))
-      for (const Isolated_point& p : critical().on_curve(part, known)) add_singular(p);
-    return points.size() > before;
   }
 
   bool is_crossing(const Isolated_point& p) const
@@ -97,7 +112,7 @@ public:
     alone_.resize(points.size());
     if (!alone_[p].is_known) {
       alone_[p].is_known = true;
-      if (critical().is_finite()) alone_[p].box = critical().alone_about(points[p], reach);
+      if (critical().bits() <= control_.max_bits && critical().is_finite()) alone_[p].box = critical().alone_about(points[p], reach);
     }
     return alone_[p].box;
   }
@@ -110,6 +125,12 @@ public:
 
 private:
   static constexpr double reach = 0x1p-6;
+
+  /// Elimination takes its time and cannot be stopped: it is begun only while there is time left.
+  bool is_late() const
+  {
+    return control_.is_cancelled() || std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() > control_.max_seconds;
+  }
 
   void add(Isolated_point p, std::size_t cause)
   {
@@ -176,6 +197,7 @@ private:
 
   const System<1, 2>& system_;
   const Solve_control& control_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::vector<Alone> alone_;
   std::optional<Critical_points> critical_;
 };
