@@ -189,6 +189,31 @@ TEST_CASE("the index of a gradient", "[elimination]")
 
 TEST_CASE("factoring leaves the rounding mode alone, and needs none", "[elimination]")
 {
+  // Swinnerton-Dyer polynomials have no factor of degree above two modulo any prime: lattices have to tell.
+  const Integer_polynomial hard{46225, 0, -5596840, 0, 13950764, 0, -7453176, 0, 1513334, 0, -141912, 0, 6476, 0, -136, 0, 1};
+  const Integer_polynomial other{576, 0, -960, 0, 352, 0, -40, 0, 1};
+  with_upward_rounding([&] {
+    const int before = observed_mode();
+    CHECK(locus::irreducible_factors(hard) == std::vector<Integer_polynomial>{hard});
+    CHECK(locus::irreducible_factors(locus::multiply(hard, other)).size() == 2u);
+    CHECK(observed_mode() == before);
+  });
+  // One that was seen to leave the processor rounding to nearest.
+  const std::vector<long> met{
+    900142956, -20477169684, 226136342376, -1626584491296, 8623788257457, -36088002922311, 124217225600064,
+    -360275616607312, 890681909267694, -1876943099072796, 3319203848448776, -4682674522136772, 4366866859162421,
+    737594147899093, -15174346945929248, 43968936935006744, -90880447901545052, 156478607016413594,
+    -236830609201521008, 323261227518990708, -403251676521758372, 462439237218071912, -487745012840763488,
+    471392842310450264, -414647786473021648, 329045335474703824, -233230599107487504, 146106497471938784,
+    -79997711926423584, 37827598845042688, -15239912668055616, 5146857056952960, -1427208516918272, 315946658356224,
+    -53605321133056, 6533767616512, -508268407808, 18906699776};
+  Integer_polynomial f;
+  for (const long c : met) f.push_back(Integer(c));
+  with_upward_rounding([&] {
+    const int before = observed_mode();
+    CHECK_FALSE(locus::irreducible_factors(f).empty());
+    CHECK(observed_mode() == before);
+  });
   Random random(402);
   for (int k = 0; k < 20; ++k) {
     Integer_polynomial product{1};
