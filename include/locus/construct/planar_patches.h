@@ -115,8 +115,13 @@ public:
   {
   }
 
+  /// Where a piece should be cut because it touches another one inside both, at a rational parameter: the branches there have
+  /// different limits, which only the charts of a corner tell.
+  std::optional<Necessary_cut> wanted_cut;
+
   void solve_pair(std::size_t i, std::size_t j)
   {
+    if (wanted_cut) return; // all is done again
     const auto &a = first_.curves[i], &b = second_.curves[j];
     if (cells_.is_self() && i == j) return solve_self(i);
     ++pairs;
@@ -172,6 +177,7 @@ private:
     }
     patch.chart = problem.chart;
     patch.cell = cells_.cell(i, j);
+    want_cut_at_contact(problem, patch.graph, i, j);
     add(statistics, patch.graph.statistics);
     for (std::size_t v = 0; v < 2; ++v) degrees[v] = std::max(degrees[v], problem.degrees[v]);
     has_axis = has_axis || problem.axis || is_axis;
@@ -185,6 +191,15 @@ private:
     if (evidence_) evidence_->solves.back().patch = patches.size();
     patches.push_back(std::move(patch));
     planar.push_back(std::move(planar_patch));
+  }
+
+  void want_cut_at_contact(const F3_problem& problem, const Curve_graph& graph, std::size_t i, std::size_t j)
+  {
+    for (const Isolated_point& p : graph.special) {
+      if (wanted_cut || !problem.chart.is_plain() || !p.evidence || p.tag != tag_of(F3_cause::meeting)) continue;
+      if (p.face[0] < 0 && p.evidence->lo == p.evidence->hi) wanted_cut = Necessary_cut{0, *first_.chain.pieces[i].at(p.evidence->lo)};
+      else if (p.face[1] < 0 && p.evidence->r_lo == p.evidence->r_hi) wanted_cut = Necessary_cut{1, *second_.chain.pieces[j].at(p.evidence->r_lo)};
+    }
   }
 
   static bool is_nothing(const Curve_graph& g)

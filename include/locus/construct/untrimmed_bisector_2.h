@@ -27,39 +27,54 @@ inline std::shared_ptr<Planar_solution> framed_solution(const std::vector<const 
   return solution;
 }
 
-/// Both inputs' pieces, cut where that is necessary; for a self-bisector (no second curve) the same ones twice.
-inline std::array<std::shared_ptr<const Planar_pieces>, 2> framed_inputs(const Curve_2& a, const Curve_2* b, const Frame<2>& frame)
+/// Both inputs' pieces, cut where it is wanted and where that is necessary; for a self-bisector (no second curve) the same
+/// ones twice.
+inline std::array<std::shared_ptr<const Planar_pieces>, 2> framed_inputs(const Curve_2& a, const Curve_2* b, const Frame<2>& frame,
+                                                                        const std::vector<Necessary_cut>& wanted)
 {
   std::array<const Curve_2*, 2> curve{&a, b ? b : &a};
   std::array<std::optional<Curve_2>, 2> cut_curve;
   std::array<std::shared_ptr<const Planar_pieces>, 2> pieces;
   const auto frame_input = [&](std::size_t k) { pieces[k] = std::make_shared<const Planar_pieces>(*curve[k], frame); };
+  const auto cut_at = [&](const Necessary_cut& cut) {
+    const std::size_t k = b ? cut.input : 0;
+    cut_curve[k] = with_inserted_knot(*curve[k], cut.at);
+    curve[k] = &*cut_curve[k];
+    return k;
+  };
+  for (const Necessary_cut& cut : wanted) cut_at(cut);
   frame_input(0);
   if (b) frame_input(1);
   else pieces[1] = pieces[0];
   while (const auto cut = necessary_cut(*pieces[0], *pieces[1], !b)) {
-    const std::size_t k = b ? cut->input : 0;
-    cut_curve[k] = with_inserted_knot(*curve[k], cut->at);
-    curve[k] = &*cut_curve[k];
-    frame_input(k);
+    frame_input(cut_at(*cut));
     if (!b) pieces[1] = pieces[0];
   }
   return pieces;
 }
 
-inline Locus<2> untrimmed_bisector_upward(const Curve_2& a, const Curve_2* b, const Bisector_options& options)
+/// One attempt: nothing where it found that the inputs should be cut at a place of contact first, which is added to `cuts`.
+inline std::optional<Locus<2>> attempted_bisector(const Curve_2& a, const Curve_2* b, const Bisector_options& options,
+                                                  std::chrono::steady_clock::time_point start, std::vector<Necessary_cut>& cuts,
+                                                  Solve_statistics& statistics)
 {
-  const auto start = std::chrono::steady_clock::now();
+  constexpr std::size_t most_cuts = 24;
   const bool is_self = b == nullptr;
   auto solution = framed_solution(is_self ? std::vector<const Curve_2*>{&a} : std::vector<const Curve_2*>{&a, b});
-  const auto inputs = framed_inputs(a, b, solution->frame);
+  const auto inputs = framed_inputs(a, b, solution->frame, cuts);
   const Planar_pieces &first = *inputs[0], &second = *inputs[1];
   Cell_keeper keeper;
   const Domain_cells cells({{first.chain, second.chain}}, is_self);
   const auto evidence = options.keep_evidence ? std::make_shared<Planar_evidence>() : nullptr;
   Patch_maker maker(first, second, cells, options.control, options.keep_cells ? &keeper : nullptr, evidence.get());
+  maker.statistics = statistics;
   for (std::size_t i = 0; i < first.size(); ++i)
     for (std::size_t j = 0; j < (is_self ? i + 1 : second.size()); ++j) maker.solve_pair(i, j);
+  statistics = maker.statistics;
+  if (maker.wanted_cut && cuts.size() < most_cuts) {
+    cuts.push_back(*maker.wanted_cut);
+    return std::nullopt;
+  }
   solution->patches = std::move(maker.planar);
   const std::vector<Glued_sides> glued = cells.glued(maker.patches);
   solution->work = join_patches(std::move(maker.patches), glued);
@@ -83,6 +98,15 @@ inline Locus<2> untrimmed_bisector_upward(const Curve_2& a, const Curve_2* b, co
   data.statistics.filter = maker.statistics.filter;
   data.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return Locus<2>(std::move(data));
+}
+
+inline Locus<2> untrimmed_bisector_upward(const Curve_2& a, const Curve_2* b, const Bisector_options& options)
+{
+  const auto start = std::chrono::steady_clock::now();
+  std::vector<Necessary_cut> cuts;
+  Solve_statistics statistics;
+  for (;;)
+    if (auto locus = attempted_bisector(a, b, options, start, cuts, statistics)) return std::move(*locus);
 }
 
 } // namespace detail
