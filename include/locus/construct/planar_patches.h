@@ -276,18 +276,38 @@ private:
     return false;
   }
 
-  /// The feet come together where the curvature vanishes: decided exactly, at vertices with exact coordinates.
+  /// The feet come together where the curvature vanishes: decided exactly, on an edge where it vanishes all along or at
+  /// vertices with exact coordinates.
   static bool has_infinite_limit(const F3_problem& problem, const Graph_vertex& vertex)
   {
     if (!problem.contact) return false;
-    std::array<Rational, 2> at;
-    for (std::size_t v = 0; v < 2; ++v) {
-      if (vertex.at[v].inf() != vertex.at[v].sup()) return false;
-      at[v] = Rational(vertex.at[v].inf());
-      if (problem.contact->power[v] > 0 && at[v] == 0) return false;
-    }
     const auto& chord = problem.contact->chord;
-    return evaluate(problem.contact->turn, at) == 0 && (evaluate(chord[0], at) != 0 || evaluate(chord[1], at) != 0);
+    std::array<Rational, 2> at;
+    bool is_exact = true;
+    for (std::size_t v = 0; v < 2; ++v) {
+      const bool on_edge = is_exactly(vertex.at[v], 0);
+      if (problem.contact->power[v] > 0 && on_edge) return false;
+      if (on_edge && face(problem.contact->turn, static_cast<int>(v), false).is_zero() &&
+          (is_strict(sign_about(chord[0], vertex)) || is_strict(sign_about(chord[1], vertex))))
+        return true;
+      is_exact = is_exact && vertex.at[v].inf() == vertex.at[v].sup();
+      at[v] = Rational(vertex.at[v].inf());
+    }
+    return is_exact && evaluate(problem.contact->turn, at) == 0 && (evaluate(chord[0], at) != 0 || evaluate(chord[1], at) != 0);
+  }
+
+  /// The sign that a polynomial has all over a vertex's enclosure, if it has one.
+  static Sign sign_about(const Bernstein<Scaled_integer, 2>& f, const Graph_vertex& vertex)
+  {
+    auto part = f;
+    for (int v = 0; v < 2; ++v) {
+      const Interval& x = vertex.at[static_cast<std::size_t>(v)];
+      part = restrict_to(part, v, Rational(x.inf()), Rational(x.sup()));
+    }
+    const Sign sign = part.sign(0);
+    for (std::size_t k = 1; k < part.size(); ++k)
+      if (part.sign(k) != sign) return Sign::unknown;
+    return sign;
   }
 
   /// The diagonal as an edge of a chart of a piece with itself.
