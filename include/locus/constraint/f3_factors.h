@@ -127,6 +127,10 @@ inline void split_off_axis(F3_problem& p, const Bernstein<Scaled_integer, 2>& re
   crossing.equations = {line, p.system.equations[0]};
   crossing.proves = Claim_kind::isolated_box;
   crossing.tag = tag_of(F3_cause::axis);
+  Cause<2> node = crossing; // of both factors together
+  node.proves = Claim_kind::crossing;
+  node.includes = {0};
+  p.whole->causes.push_back(std::move(node));
   p.axis.emplace();
   p.axis->name = "axis";
   p.axis->equations[0] = line;

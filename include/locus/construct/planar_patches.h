@@ -262,7 +262,7 @@ private:
                           (problem.is_self && (is_at(0, 0) || is_at(1, 1))) || (is_blown_up && is_on_diagonal(problem, i, j));
       patch.is_corner[v] = is_blown_up && !patch.is_final[v] ? (osculates ? 2 : 1) : 0;
       patch.is_pole[v] = tag == tag_of(F3_cause::pole) || has_infinite_foot(problem, at) || has_infinite_limit(problem, vertex);
-      if (tag == tag_of(F3_cause::pole) && patch.graph.special[static_cast<std::size_t>(vertex.cause)].cause == no_cause) patch.is_pole[v] = 2;
+      if (vertex.cause >= 0 && patch.graph.special[static_cast<std::size_t>(vertex.cause)].also == tag_of(F3_cause::pole)) patch.is_pole[v] = 2;
     }
   }
 

@@ -88,7 +88,8 @@ public:
 
   /// With `all_exact` every sign is decided by the exact rung alone (see `Solve_control::all_exact`).
   Cell_tree(const Equation<2>& equation, Filter_counts& counts, bool all_exact = false)
-    : equation_(equation), counts_(counts), degrees_(equation.degrees()), count_(coefficient_count(degrees_)), all_exact_(all_exact)
+    : equation_(equation), counts_(counts), degrees_(equation.degrees()), count_(coefficient_count(degrees_)),
+      all_exact_(all_exact)
   {
     cells_.reserve(64);
     arena_.reserve(64 * count_);
@@ -284,7 +285,10 @@ private:
   const Extent& differences(Index i, int variable) const
   {
     Extent& e = cells_[i].differences[static_cast<std::size_t>(variable)];
-    if (e.is_empty()) for_each_difference(coefficients(i), layout_along(degrees_, variable), [&e](double a, double b) { e.add(b - a); });
+    if (e.is_empty()) {
+      const Layout layout = layout_along(degrees_, variable);
+      for_each_difference(coefficients(i), layout, [&e](double a, double b) { e.add(b - a); });
+    }
     return e;
   }
 

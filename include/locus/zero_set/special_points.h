@@ -69,6 +69,7 @@ public:
       for (const Box<2>& box : boxes)
         for (const Isolated_point& p : solutions_in(zeros, box)) add(p, c);
     }
+    take_over_marks();
   }
 
   /// Looks for singular points in parts of the unit cell that subdivision could not settle: by intervals and rational
@@ -142,28 +143,54 @@ private:
     points.push_back(std::move(p));
   }
 
-  /// A singular point that is no solution of a cause for singular points. Where it solves another cause, it takes over that
-  /// one's tag.
+  /// A singular point that is no solution of a cause for singular points.
   void add_singular(Isolated_point p)
   {
     for (const Isolated_point& known : points)
       if (is_crossing(known) && lies_within(known, p.unique_in)) return; // that one is critical, too
     p.cause = no_cause;
     p.tag = no_tag;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (is_crossing(points[k]) || !overlap(points[k].box[0], p.box[0]) || !overlap(points[k].box[1], p.box[1])) continue;
-      Box<2> at;
-      for (std::size_t v = 0; v < 2; ++v) {
-        at.lo[v] = p.box[v].inf();
-        at.hi[v] = p.box[v].sup();
-      }
-      if (critical().on_curve(at, system_.causes[points[k].cause].equations).empty()) continue;
-      p.tag = points[k].tag;
-      points.erase(points.begin() + static_cast<std::ptrdiff_t>(k));
-      break;
-    }
+    take_over_mark(p, [this](const Box<2>& at, const Cause<2>& cause) { return !critical().on_curve(at, cause.equations).empty(); });
     alone_.clear();
     points.push_back(std::move(p));
+  }
+
+  /// A solution of another cause that is the singular point p goes over into it. `is_solved` tells whether they are the same,
+  /// where their enclosures meet.
+  template <class Is_solved>
+  void take_over_mark(Isolated_point& p, const Is_solved& is_solved)
+  {
+    Box<2> at;
+    for (std::size_t v = 0; v < 2; ++v) {
+      at.lo[v] = p.box[v].inf();
+      at.hi[v] = p.box[v].sup();
+    }
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (is_crossing(points[k]) || !overlap(points[k].box[0], p.box[0]) || !overlap(points[k].box[1], p.box[1])) continue;
+      if (!is_solved(at, system_.causes[points[k].cause])) continue;
+      p.also = points[k].tag;
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(k));
+      return;
+    }
+  }
+
+  /// Marks that are solutions of a cause for singular points as well. The order of the points stays.
+  void take_over_marks()
+  {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (!is_crossing(points[k])) continue;
+      Isolated_point p = points[k];
+      take_over_mark(p, [&](const Box<2>& at, const Cause<2>& cause) {
+        const auto& node = system_.causes[p.cause].equations;
+        const Common_zeros both({node[0]->exact(), node[1]->exact(), cause.equations[0]->exact(), cause.equations[1]->exact()});
+        return both.bits() <= control_.max_bits && both.is_finite() && !solutions_in(both, at).empty();
+      });
+      if (p.also == no_tag) continue;
+      const auto same = [&](const Isolated_point& q) { return q.cause == p.cause && q.box[0].is_same(p.box[0]) && q.box[1].is_same(p.box[1]); };
+      const auto here = std::find_if(points.begin(), points.end(), same); // a mark before it may be gone
+      *here = p;
+      k = static_cast<std::size_t>(here - points.begin());
+    }
   }
 
   static bool lies_within(const Isolated_point& p, const Box<2>& box)

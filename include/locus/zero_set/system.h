@@ -86,6 +86,7 @@ struct Isolated_solution {
   std::array<int, static_cast<std::size_t>(D)> face;
   std::size_t cause = 0; ///< index of the cause that it solves
   int tag = 0;           ///< that cause's tag
+  int also = no_tag;     ///< tag of another cause that a singular point solves as well
   Box<D> unique_in;      ///< larger box with no other solution of the same equations
   /// What proves the solution where it is not regular, and no interval test can.
   std::shared_ptr<const Algebraic_evidence> evidence;
