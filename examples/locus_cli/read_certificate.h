@@ -310,6 +310,7 @@ private:
   {
     check::Singular s;
     s.at = ranges(get(v, "at"));
+    if (const Json_value* axis = v.find("axis")) s.axis = line(*axis);
     const Json_value* a = v.find("algebraic");
     if (!a) return s;
     s.algebraic.emplace();

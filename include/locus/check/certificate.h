@@ -91,7 +91,8 @@ struct Algebraic {
 /// A point with F = 0 and ∇F = 0, in a box or with exact coordinates on the unit square's sides.
 struct Singular {
   std::array<Range, 2> at;
-  std::optional<Algebraic> algebraic; ///< none: the curves meet there
+  std::optional<Algebraic> algebraic; ///< without this and `axis` the curves meet there
+  std::optional<Line> axis;           ///< a line that is part of the zero set and crosses the rest there
 };
 
 /// A root of the equation along a line, and which vertex it is.

@@ -137,7 +137,7 @@ public:
   /// An empty reason is a proof.
   std::string refusal(const Singular& s) const
   {
-    return s.algebraic ? algebraic_refusal(s) : meeting_refusal(s);
+    return s.algebraic ? algebraic_refusal(s) : s.axis ? axis_refusal(s) : meeting_refusal(s);
   }
 
 private:
@@ -152,10 +152,30 @@ private:
     for (const Divided_line& l : patch_.lines)
       if (!is_nonzero(polynomial_of(l.line), box)) return "a line that was divided out may pass there";
     const Table x = in_chart(pair_.chord(0), patch_.chart), y = in_chart(pair_.chord(1), patch_.chart);
-    const bool met = s.at[0].is_exact()   ? vanish_together(on_value(x, 0, s.at[0].lo), on_value(y, 0, s.at[0].lo), s.at[1])
-                     : s.at[1].is_exact() ? vanish_together(on_value(x, 1, s.at[1].lo), on_value(y, 1, s.at[1].lo), s.at[0])
-                                          : meet_inside(bernstein_on(x, box), bernstein_on(y, box));
-    return met ? "" : "the curves are not proved to meet there";
+    return vanish_in(s, x, y) ? "" : "the curves are not proved to meet there";
+  }
+
+  /// Two functions have a common zero in the range of a point.
+  static bool vanish_in(const Singular& s, const Table& x, const Table& y)
+  {
+    const Box box{{{s.at[0].lo, s.at[0].hi}, {s.at[1].lo, s.at[1].hi}}};
+    return s.at[0].is_exact()   ? vanish_together(on_value(x, 0, s.at[0].lo), on_value(y, 0, s.at[0].lo), s.at[1])
+           : s.at[1].is_exact() ? vanish_together(on_value(x, 1, s.at[1].lo), on_value(y, 1, s.at[1].lo), s.at[0])
+                                : meet_inside(bernstein_on(x, box), bernstein_on(y, box));
+  }
+
+  /// The equation is zero all along a line, and its first derivative at a point of it: so is the other derivative there.
+  std::string axis_refusal(const Singular& s) const
+  {
+    const Table& f = patch_.equation;
+    if (is_exceptional(patch_.chart, 0) || is_exceptional(patch_.chart, 1)) return "an axis is no line of a chart";
+    if (s.axis->ratio <= 0) return "an axis has a positive ratio";
+    const int degree = f.degree[0] + f.degree[1];
+    for (int k = 0; k <= degree; ++k) { // on the line f has at most this degree, and is zero at one place more
+      const Rational t = Rational(k) / Rational(degree + 1);
+      if (sign_at(f, t, partner_of(*s.axis, t)) != 0) return "the equation does not vanish along the axis";
+    }
+    return vanish_in(s, polynomial_of(*s.axis), derivative(f, 0)) ? "" : "nothing is proved to cross the axis there";
   }
 
   bool is_nonzero(const Table& f, const Box& box) const { return has_no_zero(bernstein_on(in_chart(f, patch_.chart), box), 16); }

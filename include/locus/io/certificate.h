@@ -313,6 +313,11 @@ private:
       }
       json_.close(']');
       if (p.evidence) write_algebraic(*p.evidence);
+      else if (p.tag == tag_of(F3_cause::axis)) {
+        json_.key("axis").open('{');
+        write_diagonal_line(n.solve->problem.axis_line);
+        json_.close('}');
+      }
       json_.close('}');
     }
     json_.close(']');

@@ -256,7 +256,8 @@ private:
       const auto touches = [&](std::size_t k) {
         const Isolated_point& point = graph_->special[k];
         const auto& p = point.box;
-        return (point.evidence || point.tag == tag_of(F3_cause::meeting)) && p[0].sup() >= c.box.lo[0] && p[0].inf() <= c.box.hi[0] && p[1].sup() >= c.box.lo[1] && p[1].inf() <= c.box.hi[1];
+        return (point.evidence || point.tag == tag_of(F3_cause::meeting) || point.tag == tag_of(F3_cause::axis)) && p[0].sup() >= c.box.lo[0] &&
+               p[0].inf() <= c.box.hi[0] && p[1].sup() >= c.box.lo[1] && p[1].inf() <= c.box.hi[1];
       };
       if (c.special < graph_->special.size() && touches(c.special)) return c.special;
       for (std::size_t k = 0; k < graph_->special.size(); ++k)

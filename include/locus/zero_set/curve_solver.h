@@ -353,9 +353,7 @@ private:
 
   bool vanishes_on_high_face(Index cell, int variable)
   {
-    const auto f = face(tree_.bounded_form(cell), variable, true);
-    for (std::size_t k = 0; k < f.size(); ++k)
-      if (is_strict(sign_of(f[k]))) return false;
+    if (tree_.is_nonzero_on_face(cell, variable, true)) return false;
     const auto fresh = face(system_.equations[0]->enclosure(tree_[cell].box), variable, true);
     for (const Interval& c : fresh.coefficients())
       if (is_strict(sign_of(c))) return false;
