@@ -118,7 +118,7 @@ private:
 
     void narrow(int bits)
     {
-      const Rational width = Rational(1) / Rational(Integer(1) << bits);
+      const Rational width = Rational(1) / Rational(Integer(1) << static_cast<mp_bitcnt_t>(bits));
       for (const int end : {0, 1}) root.compare_with(end);
       while (root.hi() - root.lo() > width) root.halve();
     }

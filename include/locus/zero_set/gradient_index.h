@@ -4,6 +4,7 @@
 
 #include <locus/function/bernstein_operations.h>
 #include <locus/function/descartes.h>
+#include <locus/function/domain.h>
 
 #include <optional>
 #include <vector>
