@@ -670,6 +670,8 @@ def check_arc(where, arc, data, curves, inputs):
             continue
         if "point" not in v or arc["error"] is None:
             continue
+        if v["kind"] == "node" and v["radius"] == 0 and len(v["half_branches"]) > 4:
+            continue  # where the inputs touch, branches tend to different places
         check(math.dist(sample["point"], v["point"]) <= 1e-9 * scale + 4 * math.ulp(v["point"][0]), f"{where}: its {key} is not its vertex")
         check_end(f"{where}: its {key}", parameters_of(sample), v, curves)
 

@@ -207,11 +207,11 @@ TEST_CASE("factoring leaves the rounding mode alone, and needs none", "[eliminat
     471392842310450264, -414647786473021648, 329045335474703824, -233230599107487504, 146106497471938784,
     -79997711926423584, 37827598845042688, -15239912668055616, 5146857056952960, -1427208516918272, 315946658356224,
     -53605321133056, 6533767616512, -508268407808, 18906699776};
-  Integer_polynomial f;
-  for (const long c : met) f.push_back(Integer(c));
+  Integer_polynomial long_one;
+  for (const long c : met) long_one.push_back(Integer(c));
   with_upward_rounding([&] {
     const int before = observed_mode();
-    CHECK_FALSE(locus::irreducible_factors(f).empty());
+    CHECK_FALSE(locus::irreducible_factors(long_one).empty());
     CHECK(observed_mode() == before);
   });
   Random random(402);

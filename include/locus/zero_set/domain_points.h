@@ -61,7 +61,9 @@ inline Interval parameter_range(const Piece& piece, const Interval& local)
   const Interval from_end = piece.hi_infinite ? Interval(1) - Interval(lo, hi) : Interval(lo, hi);
   const Interval c = enclosing(piece.hi_infinite ? piece.lo : piece.hi);
   const auto at = [&](double d) {
-    return d > 0 ? c / Interval(d) : Interval(piece.hi_infinite ? infinity : -infinity);
+    if (d > 0) return c / Interval(d);
+    const double end = piece.hi_infinite ? infinity : -infinity;
+    return Interval(end, end); // CGAL takes infinite numbers by pairs only
   };
   return hull(at(from_end.inf()), at(from_end.sup()));
 }

@@ -52,9 +52,12 @@ public:
   /// Solves the causes: by intervals where their solutions are regular, else exactly.
   void solve_causes()
   {
+    Solve_control limited = control_; // where intervals are slow, elimination is quicker than more digits
+    limited.max_cells = std::min<std::size_t>(control_.max_cells, 1000);
+    limited.max_bits = std::min<std::size_t>(control_.max_bits, 256);
     for (std::size_t c = 0; c < system_.causes.size(); ++c) {
       const Cause<2>& cause = system_.causes[c];
-      const auto solved = solve_points(cause.equations, control_);
+      const auto solved = solve_points(cause.equations, limited);
       cells += solved.cells;
       for (const Isolated_point& p : solved.points) add(p, c);
       if (solved.undecided.empty()) continue;
@@ -167,7 +170,10 @@ private:
     }
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (is_crossing(points[k]) || !overlap(points[k].box[0], p.box[0]) || !overlap(points[k].box[1], p.box[1])) continue;
-      if (!is_solved(at, system_.causes[points[k].cause])) continue;
+      const Cause<2>& cause = system_.causes[points[k].cause];
+      // All solutions of an included cause are the other one's as well, and mean nothing more.
+      if (std::find(cause.includes.begin(), cause.includes.end(), p.cause) != cause.includes.end()) continue;
+      if (!is_solved(at, cause)) continue;
       p.also = points[k].tag;
       points.erase(points.begin() + static_cast<std::ptrdiff_t>(k));
       return;
