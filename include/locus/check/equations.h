@@ -175,7 +175,13 @@ private:
       const Rational t = Rational(k) / Rational(degree + 1);
       if (sign_at(f, t, partner_of(*s.axis, t)) != 0) return "the equation does not vanish along the axis";
     }
-    return vanish_in(s, polynomial_of(*s.axis), derivative(f, 0)) ? "" : "nothing is proved to cross the axis there";
+    const Table slope = derivative(f, 0);
+    Table line(slope.degree[0], slope.degree[1]); // as functions of the same degrees
+    const Table plain = polynomial_of(*s.axis);
+    for (int i = 0; i <= std::min(1, slope.degree[0]); ++i)
+      for (int j = 0; j <= std::min(1, slope.degree[1]); ++j) line.at(i, j) = plain.at(i, j);
+    if (slope.degree[0] < 1 || slope.degree[1] < 1) return "nothing is proved to cross the axis there";
+    return vanish_in(s, line, slope) ? "" : "nothing is proved to cross the axis there";
   }
 
   bool is_nonzero(const Table& f, const Box& box) const { return has_no_zero(bernstein_on(in_chart(f, patch_.chart), box), 16); }
