@@ -161,7 +161,7 @@ private:
   /// A solution of another cause that is the singular point p goes over into it. `is_solved` tells whether they are the same,
   /// where their enclosures meet.
   template <class Is_solved>
-  void take_over_mark(Isolated_point& p, const Is_solved& is_solved)
+  bool take_over_mark(Isolated_point& p, const Is_solved& is_solved)
   {
     Box<2> at;
     for (std::size_t v = 0; v < 2; ++v) {
@@ -171,13 +171,14 @@ private:
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (is_crossing(points[k]) || !overlap(points[k].box[0], p.box[0]) || !overlap(points[k].box[1], p.box[1])) continue;
       const Cause<2>& cause = system_.causes[points[k].cause];
+      const bool one_corner = p.face[0] >= 0 && p.face[1] >= 0 && p.face == points[k].face;
+      if (!one_corner && !is_solved(at, cause)) continue;
       // All solutions of an included cause are the other one's as well, and mean nothing more.
-      if (std::find(cause.includes.begin(), cause.includes.end(), p.cause) != cause.includes.end()) continue;
-      if (!is_solved(at, cause)) continue;
-      p.also = points[k].tag;
+      if (std::find(cause.includes.begin(), cause.includes.end(), p.cause) == cause.includes.end()) p.also = points[k].tag;
       points.erase(points.begin() + static_cast<std::ptrdiff_t>(k));
-      return;
+      return true;
     }
+    return false;
   }
 
   /// Marks that are solutions of a cause for singular points as well. The order of the points stays.
@@ -186,12 +187,12 @@ private:
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (!is_crossing(points[k])) continue;
       Isolated_point p = points[k];
-      take_over_mark(p, [&](const Box<2>& at, const Cause<2>& cause) {
+      const bool taken = take_over_mark(p, [&](const Box<2>& at, const Cause<2>& cause) {
         const auto& node = system_.causes[p.cause].equations;
         const Common_zeros both({node[0]->exact(), node[1]->exact(), cause.equations[0]->exact(), cause.equations[1]->exact()});
         return both.bits() <= control_.max_bits && both.is_finite() && !solutions_in(both, at).empty();
       });
-      if (p.also == no_tag) continue;
+      if (!taken) continue;
       const auto same = [&](const Isolated_point& q) { return q.cause == p.cause && q.box[0].is_same(p.box[0]) && q.box[1].is_same(p.box[1]); };
       const auto here = std::find_if(points.begin(), points.end(), same); // a mark before it may be gone
       *here = p;
