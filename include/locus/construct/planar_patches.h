@@ -178,7 +178,7 @@ private:
     patch.chart = problem.chart;
     patch.cell = cells_.cell(i, j);
     want_cut_at_contact(problem, patch.graph, i, j);
-    add(statistics, patch.graph.statistics);
+    statistics += patch.graph.statistics;
     for (std::size_t v = 0; v < 2; ++v) degrees[v] = std::max(degrees[v], problem.degrees[v]);
     has_axis = has_axis || problem.axis || is_axis;
     note_degenerate(problem, patch, planar_patch);
@@ -233,15 +233,6 @@ private:
     if (control_.progress)
       c.progress = [this](std::size_t done, std::size_t open) { control_.progress(statistics.cells + done, open); };
     return c;
-  }
-
-  static void add(Solve_statistics& to, const Solve_statistics& s)
-  {
-    to.cells += s.cells;
-    to.leaves += s.leaves;
-    to.point_cells += s.point_cells;
-    to.exact_cells += s.exact_cells;
-    to.filter += s.filter;
   }
 
   /// Poles of the map to the plane, and places where a diagonal or a blown-up corner ends arcs.
@@ -304,10 +295,7 @@ private:
       const Interval& x = vertex.at[static_cast<std::size_t>(v)];
       part = restrict_to(part, v, Rational(x.inf()), Rational(x.sup()));
     }
-    const Sign sign = part.sign(0);
-    for (std::size_t k = 1; k < part.size(); ++k)
-      if (part.sign(k) != sign) return Sign::unknown;
-    return sign;
+    return common_sign(part);
   }
 
   /// The diagonal as an edge of a chart of a piece with itself.

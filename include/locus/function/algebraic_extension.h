@@ -41,14 +41,7 @@ public:
 
   Element element(const Integer_polynomial& a) const { return reduced(Element(a.begin(), a.end())); }
 
-  Element multiply(const Element& a, const Element& b) const
-  {
-    if (a.empty() || b.empty()) return {};
-    Element c(a.size() + b.size() - 1);
-    for (std::size_t i = 0; i < a.size(); ++i)
-      for (std::size_t j = 0; j < b.size(); ++j) c[i + j] += a[i] * b[j];
-    return reduced(std::move(c));
-  }
+  Element multiply(const Element& a, const Element& b) const { return reduced(product(a, b)); }
 
   static Element subtract(Element a, const Element& b)
   {
@@ -96,10 +89,7 @@ public:
     for (;;) {
       const auto part = lo_ == hi_ ? Bernstein<Scaled_integer, 1>(Bernstein<Rational, 1>(Degrees<1>{0}, {evaluate(f, {lo_})}))
                                    : restrict_to(f, 0, lo_, hi_);
-      Sign all = part.sign(0);
-      for (std::size_t i = 1; i < part.size(); ++i)
-        if (part.sign(i) != all) all = Sign::unknown;
-      if (is_strict(all)) return all;
+      if (const Sign all = common_sign(part); is_strict(all)) return all;
       halve();
     }
   }

@@ -147,6 +147,16 @@ Rational evaluate(const Bernstein<Scaled_integer, D>& f, const std::array<Ration
   return evaluate(f.rational(), point);
 }
 
+/// The sign that all coefficients have, zero included; unknown where they differ.
+template <int D>
+Sign common_sign(const Bernstein<Scaled_integer, D>& f)
+{
+  const Sign sign = f.sign(0);
+  for (std::size_t i = 1; i < f.size(); ++i)
+    if (f.sign(i) != sign) return Sign::unknown;
+  return sign;
+}
+
 /// Sign at a rational p/q, from Σ C(n,i)·c_i·p^i·(q-p)^(n-i) in integers: O(n) products, no fractions.
 inline Sign sign_at(const Bernstein<Scaled_integer, 1>& f, const Rational& u)
 {

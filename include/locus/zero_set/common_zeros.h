@@ -223,7 +223,7 @@ private:
     return restrict_to(restrict_to(f, 0, box[0][0], box[0][1]), 1, box[1][0], box[1][1]);
   }
 
-  static Sign common_sign(const std::vector<Rational>& c)
+  static Sign sign_of_all(const std::vector<Rational>& c)
   {
     const Sign sign = sign_of(c[0]);
     for (const Rational& x : c)
@@ -235,7 +235,7 @@ private:
   bool is_refuted(const Rational_box& box) const
   {
     return std::any_of(form_.begin(), form_.end(),
-                       [&](const Form& f) { return is_strict(common_sign(restricted(f, box).rational().coefficients())); });
+                       [&](const Form& f) { return is_strict(common_sign(restricted(f, box))); });
   }
 
   /// Two combinations of both polynomials have opposite signs on opposite sides of the box, one pair of sides each: there is a
@@ -257,7 +257,7 @@ private:
         const auto p = elevated_to_common(face(f[0], v, end == 1), face(f[1], v, end == 1), a, b);
         side[end] = p.coefficients();
       }
-      const Sign low = common_sign(side[0]), high = common_sign(side[1]);
+      const Sign low = sign_of_all(side[0]), high = sign_of_all(side[1]);
       return is_strict(low) && high == opposite(low);
     };
     return rises(0, slope[1][1], Rational(-slope[0][1])) && rises(1, Rational(-slope[1][0]), slope[0][0]);

@@ -162,10 +162,7 @@ private:
       const Interval& x = p.box[static_cast<std::size_t>(v)];
       part = restrict_to(part, v, Rational(x.inf()), Rational(x.sup()));
     }
-    const Sign sign = part.sign(0);
-    bool same = is_strict(sign);
-    for (std::size_t k = 1; same && k < part.size(); ++k) same = part.sign(k) == sign;
-    return same;
+    return is_strict(common_sign(part));
   }
 
   /// The solution of ∇f = 0 in an enclosure local to `around`, if it is the simplest rational point there and f vanishes, too.

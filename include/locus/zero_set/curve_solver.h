@@ -865,7 +865,7 @@ private:
     for (std::size_t k = 0; k < undecided_cells_.size(); ++k)
       report_undecided({tree_[undecided_cells_[k]].box, undecided_reason_[k]});
     for (const auto& [cause, box] : special_.undecided)
-      if (may_hold_zeros(box)) report_undecided({box, "cannot decide the solutions of " + system_.causes[cause].name});
+      if (special_.may_hold_zeros(box)) report_undecided({box, "cannot decide the solutions of " + system_.causes[cause].name});
   }
 
   void report_undecided(Undecided_box added)
@@ -886,14 +886,6 @@ private:
       j = 0;
     }
     list.push_back(std::move(added));
-  }
-
-  bool may_hold_zeros(const Box<2>& box) const
-  {
-    const auto f = system_.equations[0]->enclosure(box);
-    Range_sign_of sign;
-    for (const Interval& c : f.coefficients()) sign.add(sign_of(c));
-    return !is_strict(sign.result());
   }
 
   static bool runs_through(const Graph_vertex& v) { return v.kind == Graph_vertex::Kind::crossing; }

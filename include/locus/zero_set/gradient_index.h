@@ -70,11 +70,8 @@ private:
   {
     constexpr int most = 400;
     for (int step = 0; step < most; ++step) {
-      const Edge part = root.is_exact() ? restrict_to(y, 0, root.lo, root.lo) : restrict_to(y, 0, root.lo, root.hi);
-      Sign all = part.sign(0);
-      for (std::size_t i = 1; i < part.size(); ++i)
-        if (part.sign(i) != all) all = Sign::unknown;
-      if (is_strict(all)) return all;
+      const Edge part = restrict_to(y, 0, root.lo, root.hi);
+      if (const Sign all = common_sign(part); is_strict(all)) return all;
       if (root.is_exact()) break;
       bisect_exactly(*root.factor, Rational(0), Rational(1), root);
     }

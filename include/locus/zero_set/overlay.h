@@ -90,11 +90,7 @@ private:
     }
     graph_.forms.insert(graph_.forms.end(), second_.forms.begin(), second_.forms.end());
     graph_.undecided.insert(graph_.undecided.end(), second_.undecided.begin(), second_.undecided.end());
-    graph_.statistics.cells += second_.statistics.cells;
-    graph_.statistics.leaves += second_.statistics.leaves;
-    graph_.statistics.point_cells += second_.statistics.point_cells;
-    graph_.statistics.exact_cells += second_.statistics.exact_cells;
-    graph_.statistics.filter += second_.statistics.filter;
+    graph_.statistics += second_.statistics;
   }
 
   std::size_t vertex_of(std::size_t begin, std::size_t end, std::size_t special) const

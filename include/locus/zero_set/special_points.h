@@ -46,8 +46,6 @@ public:
   /// What a cause's solver left open, and its index.
   std::vector<std::pair<std::size_t, Box<2>>> undecided;
   std::size_t cells = 0; ///< of the causes' solves
-  /// Whether the exact layer was asked for singular points and could not answer.
-  bool has_multiple_component = false;
 
   /// Solves the causes: by intervals where their solutions are regular, else exactly.
   void solve_causes()
@@ -63,8 +61,8 @@ public:
       if (solved.undecided.empty()) continue;
       const std::vector<Box<2>> boxes = clustered(solved.undecided);
       const bool needs_them = std::any_of(boxes.begin(), boxes.end(), [&](const Box<2>& box) { return may_hold_zeros(box); });
-      const Common_zeros zeros({cause.equations[0]->exact(), cause.equations[1]->exact()});
       if (!needs_them) continue;
+      const Common_zeros zeros({cause.equations[0]->exact(), cause.equations[1]->exact()});
       if (is_late() || zeros.bits() > control_.max_bits || !zeros.is_finite()) {
         for (const Box<2>& box : boxes) undecided.push_back({c, box});
         continue;
@@ -85,10 +83,7 @@ public:
       const auto nearby = critical().nearby(part, control_);
       for (const Isolated_point& p : nearby.on_curve) add_singular(p);
       if (nearby.is_complete || is_late()) continue;
-      if (!critical().is_finite()) {
-        has_multiple_component = true;
-        return;
-      }
+      if (!critical().is_finite()) return;
       std::vector<Isolated_point> known;
       std::copy_if(points.begin(), points.end(), std::back_inserter(known), [this](const Isolated_point& p) { return is_crossing(p); });
       std::vector<std::size_t> cause;
@@ -103,6 +98,15 @@ public:
         else add(p, cause[p.cause]);
       }
     }
+  }
+
+  /// Whether intervals leave it open that the system's equation vanishes in a box.
+  bool may_hold_zeros(const Box<2>& box) const
+  {
+    const auto f = system_.equations[0]->enclosure(box);
+    Range_sign_of sign;
+    for (const Interval& c : f.coefficients()) sign.add(sign_of(c));
+    return !is_strict(sign.result());
   }
 
   bool is_crossing(const Isolated_point& p) const
@@ -214,14 +218,6 @@ private:
       if (std::find(cause.includes.begin(), cause.includes.end(), known.cause) != cause.includes.end() && lies_within(known, p.unique_in))
         return true;
     return false;
-  }
-
-  bool may_hold_zeros(const Box<2>& box) const
-  {
-    const auto f = system_.equations[0]->enclosure(box);
-    Range_sign_of sign;
-    for (const Interval& c : f.coefficients()) sign.add(sign_of(c));
-    return !is_strict(sign.result());
   }
 
   struct Alone {
