@@ -57,6 +57,7 @@ struct F3_problem {
   Diagonal axis_line;
   Degrees<2> degrees{}; ///< of the equation as solved
   std::vector<Degenerate_component> degenerate;
+  bool repeats_degenerate = false; ///< another chart's problem lists the same ones
   std::optional<Contact_form> contact; ///< where the feet can come together
 };
 

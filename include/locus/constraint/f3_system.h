@@ -105,7 +105,12 @@ inline F3_problem on_chart(const F3_problem& plain, const Corner_forms& forms, c
   for (std::size_t c = 0; c < 2; ++c) {
     const auto& pair = c == 0 ? forms.chord : forms.poles;
     p.system.causes[c].equations = {equation(pair[0]), equation(pair[1])};
-    p.system.causes[c].leave_out = on_chart_edges(chart, has_axis);
+    p.system.causes[c].leave_out = [edges = on_chart_edges(chart, has_axis), plain = p.system.causes[c].leave_out, chart](const Isolated_solution<2>& s) {
+      if (edges(s) || !plain) return edges(s);
+      Isolated_solution<2> local = s;
+      local.box = chart(s.box);
+      return plain(local);
+    };
   }
   p.contact = contact_at_corner(forms, chart);
   return p;
@@ -232,8 +237,34 @@ inline std::vector<F3_problem> f3_self_corner_problems(const std::shared_ptr<con
   return problems;
 }
 
+namespace detail {
+
+/// Two pieces that overlap: what is left of F3 is regular where they end regularly, and their other common end is blown up.
+inline std::vector<F3_problem> overlap_problems(const std::shared_ptr<const Planar_curve>& first, const std::shared_ptr<const Planar_curve>& second,
+                                                bool reversed)
+{
+  F3_problem p = f3_problem(first, second);
+  std::optional<std::array<int, 2>> corner;
+  for (int end = 0; end < 2; ++end)
+    if (first->is_singular_at(end)) corner = {end, reversed ? 1 - end : end};
+  if (!corner || p.system.equations[0]->exact().is_zero()) return {p};
+  p = undivided_f3_problem(first, second);
+  divide_out_diagonal(p, reversed, true);
+  p.degrees = p.system.equations[0]->degrees();
+  const Corner_forms forms = corner_forms(p, *corner);
+  std::vector<Corner_chart> charts;
+  for (const bool first_side : {true, false}) collect_charts(forms.f, Corner_chart::at(*corner, first_side), 0, charts);
+  std::vector<F3_problem> problems;
+  for (const Corner_chart& chart : charts) problems.push_back(on_chart(p, forms, chart, false));
+  for (std::size_t k = 1; k < problems.size(); ++k) problems[k].repeats_degenerate = true;
+  return problems;
+}
+
+} // namespace detail
+
 /// The problems that together cover two pieces which share an end with one tangent there: two charts of the blown-up
-/// corner, and the axis of symmetry through it, if there is one. Pieces that overlap leave one plain problem.
+/// corner, and the axis of symmetry through it, if there is one. Pieces that overlap leave one plain problem unless they
+/// are infinite or stand still at an end.
 inline std::vector<F3_problem> f3_corner_problems(std::shared_ptr<const Planar_curve> first, std::shared_ptr<const Planar_curve> second,
                                                   const std::array<int, 2>& corner)
 {
@@ -245,7 +276,7 @@ inline std::vector<F3_problem> f3_corner_problems(std::shared_ptr<const Planar_c
   const Rational ratio = detail::matching_ratio(*plain.first, *plain.second, reversed).value_or(1);
   Scaled_form rest = f;
   const int multiplicity = detail::divide_by_diagonal(rest, {reversed, ratio});
-  if (multiplicity > 1) return {f3_problem(plain.first, plain.second)};
+  if (multiplicity > 1) return detail::overlap_problems(plain.first, plain.second, reversed);
   const bool has_axis = multiplicity == 1 && ratio == 1; // along another curve an axis is no ray of a chart: it stays in F3
   if (has_axis) f = std::move(rest);
   plain.degrees = {f.degree(0), f.degree(1)};
@@ -262,7 +293,7 @@ inline std::vector<F3_problem> f3_corner_problems(std::shared_ptr<const Planar_c
   for (const Corner_chart& chart : charts) problems.push_back(detail::on_chart(plain, forms, chart, has_axis));
   if (has_axis)
     problems.push_back(detail::axis_through_corner(detail::on_chart(plain, forms, Corner_chart::at(corner, true), true), forms));
-  for (std::size_t k = 1; k < problems.size(); ++k) problems[k].degenerate.clear(); // listed once
+  for (std::size_t k = 1; k < problems.size(); ++k) problems[k].repeats_degenerate = true;
   return problems;
 }
 

@@ -135,6 +135,26 @@ public:
     return by_normals > by_chord ? Map_formula::normals : Map_formula::chord;
   }
 
+  /// Whether the circle of a solution touches the curves from different sides, if their tangents are directed alike: with λ
+  /// the feet's distances along the normals, Im(e ā)·Im(e b̄) is positive then. Along F3 = 0 its sign changes at poles only.
+  Sign touches_both_sides(const std::array<Interval, 2>& x) const
+  {
+    const std::array<Interval, 2> p = chart_(x);
+    const Vector_2<Interval> d = second_->point(p[1]) - first_->point(p[0]);
+    return sign_of(cross(first_->tangent(p[0]), d)) * sign_of(cross(second_->tangent(p[1]), d));
+  }
+
+  /// Encloses the bisector points over x where their circles lie between the curves: such a circle's diameters to the feet turn
+  /// by less than a right angle, so its radius is at most |d|/√2. Nothing where the tangents may turn by more.
+  std::optional<Vector_2<Interval>> between_curves(const std::array<Interval, 2>& x) const
+  {
+    const std::array<Interval, 2> p = chart_(x);
+    const Vector_2<Interval> x1 = first_->point(p[0]), d = second_->point(p[1]) - x1;
+    if (!is_strict(sign_of(dot(first_->tangent(p[0]), second_->tangent(p[1]))))) return std::nullopt;
+    const double reach = CGAL::sqrt((CGAL::square(d.x) + CGAL::square(d.y)) * Interval(0.5)).sup();
+    return Vector_2<Interval>{x1.x + Interval(-reach, reach), x1.y + Interval(-reach, reach)};
+  }
+
   /// Lower bound of the distance from `centre` to the bisector points along an arc that ends in a pole of the map or at an
   /// infinite foot, at most `length` away in the jets' variable. The points themselves have no enclosure there.
   double least_distance(const std::array<Jet<Interval>, 2>& x, double length, const Vector_2<double>& centre) const

@@ -60,6 +60,16 @@ private:
   const Graph_vertex& vertex(const Stretch& s, std::size_t v) const { return s_->work.patches[s.patch].graph.vertices[v]; }
   bool is_pole(const Stretch& s, std::size_t v) const { return s_->work.patches[s.patch].is_pole[v]; }
 
+  Placed place_vertex(const Stretch& s, std::size_t v) const
+  {
+    Placed p = detail::place_vertex(patch(s), v, vertex(s, v).at);
+    p.is_between = is_between(s);
+    return p;
+  }
+  Placed place_on(const Stretch& s, const std::array<Interval, 2>& at) const { return place(patch(s), at, is_between(s)); }
+  bool is_between(const Stretch& s) const { return patch(s).is_at_contact(s.piece->from) || patch(s).is_at_contact(s.piece->to); }
+  static Placed place_beside(const Placed& p, const std::array<Interval, 2>& at) { return place(*p.patch, at, p.is_between); }
+
   std::array<Interval, 2> parameters(const Piece_evaluator& e, double base, double guess, double wanted_width = 5e-13) const
   {
     std::array<Interval, 2> at;
@@ -145,8 +155,8 @@ private:
   Placed placed_on(const Stretch& s, double f, Guess* guess, const Piece_evaluator* evaluator = nullptr) const
   {
     const double g = s.reversed ? 1 - f : f;
-    if (g <= 0 && !s.lo_cut) return place(patch(s), vertex(s, s.piece->from).at);
-    if (g >= 1 && !s.hi_cut) return place(patch(s), vertex(s, s.piece->to).at);
+    if (g <= 0 && !s.lo_cut) return place_vertex(s, s.piece->from);
+    if (g >= 1 && !s.hi_cut) return place_vertex(s, s.piece->to);
     if (s.piece->is_half_branch) return on_half_branch(s, g);
     if (evaluator) return placed_between(s, *evaluator, g, guess);
     return placed_between(s, Piece_evaluator(*s.form, s.piece->base), g, guess);
@@ -161,15 +171,15 @@ private:
                          : midpoint(vertex(s, s.piece->from).at[pivot]) * (1 - g) + midpoint(vertex(s, s.piece->to).at[pivot]) * g;
     const auto at = parameters(e, base, start);
     if (guess) guess->add(midpoint(at[pivot]));
-    return place(patch(s), at);
+    return place_on(s, at);
   }
 
   /// Inside a node's cell, no wider than `Solve_control::node_width`, the branch is only enclosed: by the whole cell.
   Placed on_half_branch(const Stretch& s, double g) const
   {
-    Placed p = place(patch(s), vertex(s, g < 0.5 ? s.piece->from : s.piece->to).at);
+    Placed p = place_vertex(s, g < 0.5 ? s.piece->from : s.piece->to);
     for (std::size_t v = 0; v < 2; ++v) p.at[v] = hull(p.at[v], Interval(s.form->box.lo[v], s.form->box.hi[v]));
-    const Placed all = place(patch(s), p.at);
+    const Placed all = place_on(s, p.at);
     p.point = {hull(p.point.x, all.point.x), hull(p.point.y, all.point.y)};
     return p;
   }
@@ -263,7 +273,7 @@ private:
     std::array<Interval, 2> at;
     at[base] = hull(a.base, b.base);
     at[pivot] = e.range_over(a.base.inf(), b.base.sup(), a.placed.at[pivot], b.placed.at[pivot]);
-    const Vector_2<Interval> all = place(*a.placed.patch, at).point;
+    const Vector_2<Interval> all = place_beside(a.placed, at).point;
     const double d = diameter({hull(hull(all.x, a.placed.point.x), b.placed.point.x), hull(hull(all.y, a.placed.point.y), b.placed.point.y)});
     return std::isfinite(d) ? d : std::numeric_limits<double>::infinity();
   }
@@ -306,7 +316,7 @@ private:
     std::vector<Knot> knots{a};
     for (int k = 1; k < parts; ++k) {
       const double base = a.base.sup() + h * k / parts;
-      knots.push_back({Interval(base), place(*a.placed.patch, parameters(e, base, midpoint(knots.back().placed.at[pivot]), draft.parameter_width))});
+      knots.push_back({Interval(base), place_beside(a.placed, parameters(e, base, midpoint(knots.back().placed.at[pivot]), draft.parameter_width))});
     }
     knots.push_back(b);
     for (int k = 0; k < parts; ++k) {
@@ -319,10 +329,10 @@ private:
   {
     const bool cut = high ? s.hi_cut : s.lo_cut;
     const Interval& base = high ? s.hi : s.lo;
-    if (!cut) return {base, place(patch(s), vertex(s, high ? s.piece->to : s.piece->from).at)};
+    if (!cut) return {base, place_vertex(s, high ? s.piece->to : s.piece->from)};
     const auto pivot = static_cast<std::size_t>(e.pivot());
     const double guess = midpoint(vertex(s, high ? s.piece->to : s.piece->from).at[pivot]);
-    return {base, place(patch(s), parameters(e, base.inf(), guess))};
+    return {base, place_on(s, parameters(e, base.inf(), guess))};
   }
 
   Polyline<2> polyline_within(double relative_tolerance) const
@@ -335,7 +345,7 @@ private:
       if (s.piece->is_half_branch) {
         const Placed whole = on_half_branch(s, 0);
         draft.bend = std::max(draft.bend, diameter(whole.point));
-        const Placed ends[2] = {place(patch(s), vertex(s, s.piece->from).at), place(patch(s), vertex(s, s.piece->to).at)};
+        const Placed ends[2] = {place_vertex(s, s.piece->from), place_vertex(s, s.piece->to)};
         if (draft.points.empty()) draft.points.push_back(ends[s.reversed ? 1 : 0]);
         draft.points.push_back(ends[s.reversed ? 0 : 1]);
         continue;
@@ -369,7 +379,7 @@ private:
     const double g = std::min(1 - 1e-9, std::max(1e-9, s.reversed ? 1 - f : f));
     const double base = s.lo.sup() + g * (s.hi.inf() - s.lo.sup());
     const auto pivot = static_cast<std::size_t>(e.pivot());
-    const Knot k{Interval(base), place(patch(s), parameters(e, base, midpoint(vertex(s, s.piece->from).at[pivot])))};
+    const Knot k{Interval(base), place_on(s, parameters(e, base, midpoint(vertex(s, s.piece->from).at[pivot])))};
     const auto jets = parameter_jets(e, k, k);
     if (!jets) throw std::logic_error("locus: a graph cell without slope");
     const Bisector_map_2& map = patch(s).map;
@@ -445,7 +455,7 @@ private:
   Knot middle_knot(const Piece_evaluator& e, const Knot& a, const Knot& b, double wanted_width) const
   {
     const double base = a.base.sup() + 0.5 * (b.base.inf() - a.base.sup());
-    return {Interval(base), place(*a.placed.patch, parameters(e, base, midpoint(a.placed.at[static_cast<std::size_t>(e.pivot())]), wanted_width))};
+    return {Interval(base), place_beside(a.placed, parameters(e, base, midpoint(a.placed.at[static_cast<std::size_t>(e.pivot())]), wanted_width))};
   }
 
   /// The derivative is monotone from a to b: one zero or none, by the signs at the ends.

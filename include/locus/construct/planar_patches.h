@@ -57,11 +57,12 @@ private:
   }
 };
 
-/// On which side of a line a piece lies that does not meet it between its ends: a strict sign somewhere on it.
-inline Sign side_of_axis(const Curve_graph& graph, std::size_t piece, const Diagonal& line)
+/// A property with a sign that a piece has all along it, from a strict sign somewhere on it. It need not be one at the piece's
+/// ends.
+template <class Property>
+Sign sign_along(const Curve_graph& graph, std::size_t piece, Property property)
 {
   const Graph_piece& p = graph.pieces[piece];
-  if (p.is_half_branch) return line.side(graph.vertices[p.to].at);
   const auto base = static_cast<std::size_t>(p.base);
   const Interval from = graph.vertices[p.from].at[base], to = graph.vertices[p.to].at[base];
   const Piece_evaluator e(graph.forms[piece], p.base);
@@ -70,9 +71,17 @@ inline Sign side_of_axis(const Curve_graph& graph, std::size_t piece, const Diag
     std::array<Interval, 2> at;
     at[base] = Interval(s);
     at[1 - base] = e.pivot_at(s, 0.5 * (midpoint(graph.vertices[p.from].at[1 - base]) + midpoint(graph.vertices[p.to].at[1 - base])));
-    if (const Sign sign = line.side(at); is_strict(sign)) return sign;
+    if (const Sign sign = property(at); is_strict(sign)) return sign;
   }
   return Sign::unknown;
+}
+
+/// On which side of a line a piece lies that does not meet it between its ends.
+inline Sign side_of_axis(const Curve_graph& graph, std::size_t piece, const Diagonal& line)
+{
+  const Graph_piece& p = graph.pieces[piece];
+  if (p.is_half_branch) return line.side(graph.vertices[p.to].at);
+  return sign_along(graph, piece, [&](const std::array<Interval, 2>& at) { return line.side(at); });
 }
 
 /// Whether a graph's special points were all found regular, and nothing was left open.
@@ -95,15 +104,26 @@ inline Curve_graph solve_f3(const F3_problem& problem, const Solve_control& cont
     .run();
 }
 
-/// Two pieces that touch at an end have one circle of curvature there: all branches then tend to its centre. Exact.
-inline bool osculate_at(const Planar_curve& p, const Planar_curve& q, const std::array<int, 2>& end)
-{
-  if (p.is_singular_at(end[0]) || q.is_singular_at(end[1])) return false;
-  auto a = Curvature_forms(p).at(end[0]), b = Curvature_forms(q).at(end[1]);
-  const Piece_end x(p, end[0]), y(q, end[1]);
-  if (x.tangent[0] * y.tangent[0] + x.tangent[1] * y.tangent[1] < 0) b.sign = -b.sign;
-  return a.same_curvature(b);
-}
+/// How two pieces touch at a blown-up corner, exactly: by their curvatures, if both are finite there and move.
+struct Corner_contact {
+  bool is_regular = false;
+  bool osculates = false;   ///< one circle of curvature: branches whose circles touch from one side tend to its centre
+  bool is_flat = false;     ///< both curvatures vanish: these branches go to infinity
+  int direction = 1;        ///< -1: the tangents are opposite
+
+  Corner_contact() = default;
+  Corner_contact(const Planar_curve& p, const Planar_curve& q, const std::array<int, 2>& end)
+  {
+    if (p.is_singular_at(end[0]) || q.is_singular_at(end[1])) return;
+    is_regular = true;
+    auto a = Curvature_forms(p).at(end[0]), b = Curvature_forms(q).at(end[1]);
+    const Piece_end x(p, end[0]), y(q, end[1]);
+    direction = sgn(Rational(x.tangent[0] * y.tangent[0] + x.tangent[1] * y.tangent[1]));
+    if (direction < 0) b.sign = -b.sign;
+    osculates = a.same_curvature(b);
+    is_flat = a.sign == 0 && b.sign == 0;
+  }
+};
 
 /// Solves F3 = 0 on all pairs of pieces that are not purged, patch by patch.
 class Patch_maker {
@@ -182,12 +202,11 @@ private:
     for (std::size_t v = 0; v < 2; ++v) degrees[v] = std::max(degrees[v], problem.degrees[v]);
     has_axis = has_axis || problem.axis || is_axis;
     note_degenerate(problem, patch, planar_patch);
-    if (is_nothing(patch.graph) && problem.degenerate.empty()) return;
-    mark_vertices(problem, i, j, patch);
+    if (is_nothing(patch.graph) && (problem.degenerate.empty() || problem.repeats_degenerate)) return;
+    if (problem.contact && (!patch.graph.pieces.empty() || !patch.graph.vertices.empty()))
+      planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, problem.contact);
+    mark_vertices(problem, i, j, patch, planar_patch);
     if (problem.is_self && problem.chart.is_plain()) drop_mirror_half(patch);
-    if (!patch.graph.pieces.empty() || !patch.graph.vertices.empty())
-      if (problem.contact)
-        planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, problem.contact);
     if (evidence_) evidence_->solves.back().patch = patches.size();
     patches.push_back(std::move(patch));
     planar.push_back(std::move(planar_patch));
@@ -211,7 +230,7 @@ private:
   {
     Note note{planar_patch, {}};
     for (const Degenerate_component& d : problem.degenerate)
-      if (!is_at_infinity(problem, d)) note.degenerate.push_back(d);
+      if (!problem.repeats_degenerate && !is_at_infinity(problem, d)) note.degenerate.push_back(d);
     if (patch.graph.identically_zero) note.degenerate.push_back(Degenerate_component{});
     if (!note.degenerate.empty()) notes.push_back(std::move(note));
   }
@@ -236,13 +255,16 @@ private:
   }
 
   /// Poles of the map to the plane, and places where a diagonal or a blown-up corner ends arcs.
-  void mark_vertices(const F3_problem& problem, std::size_t i, std::size_t j, Patch& patch) const
+  void mark_vertices(const F3_problem& problem, std::size_t i, std::size_t j, Patch& patch, Planar_patch& planar_patch) const
   {
     const std::size_t n = patch.graph.vertices.size();
     patch.is_pole.assign(n, 0);
     patch.is_final.assign(n, 0);
     patch.is_corner.assign(n, 0);
-    const bool osculates = !problem.chart.is_plain() && !is_on_diagonal(problem, i, j) && osculate_at(*problem.first, *problem.second, problem.chart.corner);
+    planar_patch.at_contact.assign(n, 0);
+    Corner_contact contact;
+    if (!problem.chart.is_plain() && !is_on_diagonal(problem, i, j))
+      contact = Corner_contact(*problem.first, *problem.second, problem.chart.corner);
     for (std::size_t v = 0; v < n; ++v) {
       const Graph_vertex& vertex = patch.graph.vertices[v];
       const int tag = vertex.cause >= 0 ? patch.graph.special[static_cast<std::size_t>(vertex.cause)].tag : tag_of(F3_cause::meeting);
@@ -251,10 +273,33 @@ private:
       const bool is_blown_up = !problem.chart.is_plain() && is_at(problem.chart.corner[0], problem.chart.corner[1]);
       patch.is_final[v] = tag == tag_of(F3_cause::diagonal) || is_on_diagonal_edge(problem, vertex) ||
                           (problem.is_self && (is_at(0, 0) || is_at(1, 1))) || (is_blown_up && is_on_diagonal(problem, i, j));
-      patch.is_corner[v] = is_blown_up && !patch.is_final[v] ? (osculates ? 2 : 1) : 0;
       patch.is_pole[v] = tag == tag_of(F3_cause::pole) || has_infinite_foot(problem, at) || has_infinite_limit(problem, vertex);
+      if (is_blown_up && !patch.is_final[v]) {
+        const Sign sides = contact.is_regular ? sides_of_branches(patch.graph, v, planar_patch.map, contact.direction) : Sign::unknown;
+        patch.is_corner[v] = sides == Sign::positive ? 3 : contact.osculates ? 2 : 1;
+        planar_patch.at_contact[v] = sides == Sign::positive;
+        if (contact.is_flat && sides == Sign::negative) patch.is_pole[v] = 1;
+      }
       if (vertex.cause >= 0 && patch.graph.special[static_cast<std::size_t>(vertex.cause)].also == tag_of(F3_cause::pole)) patch.is_pole[v] = 2;
     }
+  }
+
+  /// Positive where the circles of all branches that end at a vertex touch the curves from different sides: they shrink
+  /// to the point where the curves touch. Negative where all do so from one side.
+  static Sign sides_of_branches(const Curve_graph& graph, std::size_t vertex, const Bisector_map_2& map, int direction)
+  {
+    Sign all = Sign::unknown;
+    bool any = false;
+    for (std::size_t k = 0; k < graph.pieces.size(); ++k) {
+      const Graph_piece& p = graph.pieces[k];
+      if (p.from != vertex && p.to != vertex) continue;
+      if (p.is_half_branch) return Sign::unknown;
+      const Sign s = sign_along(graph, k, [&](const std::array<Interval, 2>& at) { return map.touches_both_sides(at); });
+      if (any && s != all) return Sign::unknown;
+      all = s;
+      any = true;
+    }
+    return direction < 0 ? opposite(all) : all;
   }
 
   static bool is_exactly(const Interval& x, int end) { return x.inf() == end && x.sup() == end; }

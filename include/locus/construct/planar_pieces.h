@@ -107,13 +107,14 @@ inline bool coincide(const Planar_curve& p, const Planar_curve& q, bool reversed
 }
 
 /// Whether the cell of two pieces has more than one corner where they touch, so that it must be cut. Pieces that coincide
-/// touch at two corners as well; what is left of F3 without their overlap is not singular there.
+/// touch at two corners as well; what is left of F3 without their overlap is singular there only if they are.
 inline bool touch_more_than_once(const Planar_curve& p, const Planar_curve& q)
 {
   const auto corners = touching_corners(p, q);
   if (corners.size() < 2) return false;
   const bool opposite = corners[0][0] != corners[1][0] && corners[0][1] != corners[1][1];
-  return !(opposite && coincide(p, q, corners[0][0] != corners[0][1]));
+  const bool singular_twice = p.is_singular_at(0) && p.is_singular_at(1);
+  return !(opposite && !singular_twice && coincide(p, q, corners[0][0] != corners[0][1]));
 }
 
 /// Where inside a piece the end of another one touches it (lies on it with the same tangent line), at a rational parameter:

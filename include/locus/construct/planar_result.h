@@ -118,7 +118,7 @@ private:
     } else if (from.is_corner && vertex.kind == Vertex_kind::node) {
       place_at_contact(patch, local, vertex);
     } else {
-      const Placed placed = place(patch, at);
+      const Placed placed = place_vertex(patch, member.vertex, at);
       const double far = std::hypot(mignitude(placed.point.x - Interval(s_->centre.x)), mignitude(placed.point.y - Interval(s_->centre.y)));
       if (diameter(placed.point) <= largest_vertex_error * std::max(s_->scale, far)) {
         const Arc_point<2> p = finished(*s_, placed);

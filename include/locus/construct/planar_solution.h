@@ -48,6 +48,9 @@ struct Planar_patch {
   Bisector_map_2 map;
   std::array<std::size_t, 2> piece{0, 0}; ///< of both inputs
   std::array<Parameter_range, 2> domain;
+  std::vector<char> at_contact; ///< the graph's vertices whose image is the point where the curves touch; may be empty
+
+  bool is_at_contact(std::size_t vertex) const { return vertex < at_contact.size() && at_contact[vertex]; }
 
   /// The inputs' parameters at a place of the patch's chart.
   std::array<Range, 2> parameters(const std::array<Interval, 2>& at) const
@@ -76,14 +79,25 @@ struct Placed {
   std::array<Interval, 2> at;
   Vector_2<Interval> point;
   Interval radius;
+  bool is_between = false; ///< on a branch whose circles lie between the curves, up to their contact
 };
 
-inline Placed place(const Planar_patch& patch, const std::array<Interval, 2>& at)
+/// `is_between`: see Placed.
+inline Placed place(const Planar_patch& patch, const std::array<Interval, 2>& at, bool is_between = false)
 {
   const Map_formula formula = patch.map.choose({midpoint(at[0]), midpoint(at[1])});
-  const auto image = patch.map.at(at, formula);
+  auto image = patch.map.at(at, formula);
+  if (is_between)
+    if (const auto box = patch.map.between_curves(at)) image.point = {common_part(box->x, image.point.x), common_part(box->y, image.point.y)};
   const Vector_2<Interval> arm = image.point - image.first_foot;
-  return {&patch, at, image.point, CGAL::sqrt(CGAL::square(arm.x) + CGAL::square(arm.y))};
+  return {&patch, at, image.point, CGAL::sqrt(CGAL::square(arm.x) + CGAL::square(arm.y)), is_between};
+}
+
+/// At a vertex of the patch's graph.
+inline Placed place_vertex(const Planar_patch& patch, std::size_t vertex, const std::array<Interval, 2>& at)
+{
+  if (!patch.is_at_contact(vertex)) return place(patch, at);
+  return {&patch, at, patch.map.first().point(patch.map.chart()(at)[0]), Interval(0), true};
 }
 
 inline double diameter(const Vector_2<Interval>& box) { return std::hypot(width(box.x), width(box.y)) * (1 + 8 * operation_error); }

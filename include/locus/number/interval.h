@@ -85,6 +85,11 @@ inline Interval hull(const Interval& a, const Interval& b)
 {
   return Interval(std::min(a.inf(), b.inf()), std::max(a.sup(), b.sup()));
 }
+/// Of two intervals that enclose one number; `a` where `b` is no number.
+inline Interval common_part(const Interval& a, const Interval& b)
+{
+  return Interval(std::max(a.inf(), b.inf()), std::min(a.sup(), b.sup()));
+}
 inline bool overlap(const Interval& a, const Interval& b) { return a.inf() <= b.sup() && b.inf() <= a.sup(); }
 inline bool inside(const Interval& a, const Interval& b) { return b.inf() < a.inf() && a.sup() < b.sup(); }
 

@@ -25,7 +25,8 @@ struct Patch {
   /// Vertices where what the zero set stands for goes to infinity; 2 where it does so though the vertex is singular.
   std::vector<char> is_pole;
   std::vector<char> is_final;        ///< vertices where arcs end for good, each by itself: on a diagonal
-  std::vector<char> is_corner;       ///< vertices at a corner that is blown up; 2 where all branches there have one image
+  /// Vertices at a corner that is blown up; above 1 where the image of the branches is known: equal numbers are one image.
+  std::vector<char> is_corner;
 
   bool is_dropped(std::size_t piece) const { return !dropped.empty() && dropped[piece]; }
 
@@ -361,12 +362,16 @@ private:
   {
     using Kind = Graph_vertex::Kind;
     bool is_open = false, is_boundary = false, is_crossing_point = false, is_isolated = false, is_corner = false, one_image = true, is_singular_pole = false;
+    char image = 0;
     for (const Member& m : v.members) {
       const Graph_vertex& g = vertex(m);
       is_open = is_open || g.kind == Kind::open;
       is_isolated = is_isolated || g.kind == Kind::isolated;
       is_corner = is_corner || patch(m).is_corner[m.vertex];
-      one_image = one_image && patch(m).is_corner[m.vertex] != 1;
+      if (const char other = patch(m).is_corner[m.vertex]) {
+        one_image = one_image && other != 1 && (image == 0 || image == other);
+        image = other;
+      }
       v.is_final = v.is_final || patch(m).is_final[m.vertex];
       v.is_pole = v.is_pole || patch(m).is_pole[m.vertex];
       is_singular_pole = is_singular_pole || patch(m).is_pole[m.vertex] == 2;
