@@ -90,7 +90,7 @@ std::string difference(const Locus<2>& filtered, const Locus<2>& exact)
 
 /// What became of the pairs.
 struct Report {
-  std::size_t pairs = 0, certified = 0, undecided = 0, refused = 0, problems = 0, exact_undecided = 0;
+  std::size_t pairs = 0, certified = 0, undecided = 0, undrawn = 0, refused = 0, problems = 0, exact_undecided = 0;
   double filtered = 0, exact = 0, checking = 0, slowest = 0;
   std::map<std::string, std::size_t> refusals, reasons;
   std::string first;
@@ -105,7 +105,7 @@ struct Report {
   std::string text() const
   {
     std::ostringstream out;
-    out << pairs << " pairs: " << certified << " certified, " << undecided << " undecided, " << refused << " refused, "
+    out << pairs << " pairs: " << certified << " certified, " << undecided << " undecided, " << undrawn << " certified but not drawn with a proved error, " << refused << " refused, "
         << problems << " problems; seconds: filtered " << filtered << " (slowest pair " << slowest << "), all exact " << exact
         << ", certificate " << checking;
     for (const auto& [what, n] : refusals) out << "\n  refused " << n << ": " << what;
@@ -148,6 +148,12 @@ void compare(Report& report, const Curve_pair& pair, std::size_t number, double 
   report.checking += seconds_since(before_check);
 
   if (!is_certified(filtered)) return;
+  for (const auto& arc : filtered.arcs()) {
+    if (std::isfinite(arc.polyline(1e-3).error())) continue;
+    ++report.undrawn;
+    report.say("UNDRAWN " + name, true);
+    break;
+  }
   const auto before_exact = std::chrono::steady_clock::now();
   const Locus<2> exact = solved(pair, true, 5 * max_seconds);
   report.exact += seconds_since(before_exact);

@@ -488,7 +488,7 @@ private:
   bool has_right_degree(const Vertex& v, int degree) const
   {
     switch (v.kind) {
-    case Vertex_kind::crossing: return !v.cell && degree == 2 && !v.stops;
+    case Vertex_kind::crossing: return !v.cell && degree == 2;
     case Vertex_kind::boundary: return !v.cell && is_on_boundary(v) && degree > 0 && (degree != 2 || v.stops);
     case Vertex_kind::isolated: return degree == 0 && (v.cell || is_on_boundary(v));
     case Vertex_kind::node: return v.cell && degree > 1;

@@ -40,7 +40,7 @@ inline void check_indices(const Certificate& c)
   for (const auto& pair : c.empty_pairs) require(is_pair(pair), "a pair of pieces is none");
   for (const Line_patch& l : c.lines) {
     require(is_pair(l.pair) && l.line.ratio > 0, "a line is none");
-    for (const auto& m : l.meets) require(!m || ((*m)[0] < c.patches.size() && (*m)[1] < c.patches[(*m)[0]].vertices.size()), "a line meets nothing");
+    for (const auto& m : l.meets) require(!m || l.corner || ((*m)[0] < c.patches.size() && (*m)[1] < c.patches[(*m)[0]].vertices.size()), "a line meets nothing");
   }
   for (std::size_t k = 0; k < c.patches.size(); ++k) {
     const Patch& p = c.patches[k];

@@ -160,7 +160,8 @@ public:
   double least_distance(const std::array<Jet<Interval>, 2>& x, double length, const Vector_2<double>& centre) const
   {
     const std::array<Jet<Interval>, 2> p = chart_(x);
-    const double radius = least_radius(p, length);
+    double radius = least_radius(p, length);
+    if (contact_ && contact_->power == std::array<int, 2>{0, 0}) radius = std::max(radius, least_contact_radius(x, p, length));
     double bound = 0;
     for (const auto& foot : {first_->point(p[0].value), second_->point(p[1].value)}) {
       const double off = std::hypot(magnitude(foot.x - Interval(centre.x)), magnitude(foot.y - Interval(centre.y))) * (1 + 8 * operation_error);
@@ -196,14 +197,27 @@ private:
   /// it is bounded by its derivative; at an infinite foot a weight does.
   double least_radius(const std::array<Jet<Interval>, 2>& p, double length) const
   {
-    const Vector_2<Jet<Interval>> a = first_->tangent(p[0]), p1 = first_->numerator(p[0]), p2 = second_->numerator(p[1]);
+    const Vector_2<Jet<Interval>> p1 = first_->numerator(p[0]), p2 = second_->numerator(p[1]);
     const Jet<Interval> w1 = first_->weight(p[0]), w2 = second_->weight(p[1]);
     const Vector_2<Jet<Interval>> e{p2.x * w1 - p1.x * w2, p2.y * w1 - p1.y * w2};
-    const Interval speed = CGAL::sqrt(CGAL::square(a.x.value) + CGAL::square(a.y.value));
+    return least_radius(p, e, cross(first_->tangent(p[0]), e), length);
+  }
+
+  /// The same where the feet come together: e and a×e without what the contact form divides them by.
+  double least_contact_radius(const std::array<Jet<Interval>, 2>& x, const std::array<Jet<Interval>, 2>& p, double length) const
+  {
+    const Vector_2<Jet<Interval>> e{contact_->chord[0].along(x), contact_->chord[1].along(x)};
+    return least_radius(p, e, contact_->turn.along(x), length);
+  }
+
+  double least_radius(const std::array<Jet<Interval>, 2>& p, const Vector_2<Jet<Interval>>& e, const Jet<Interval>& product, double length) const
+  {
+    const Vector_2<Interval> a = first_->tangent(p[0].value);
+    const Interval speed = CGAL::sqrt(CGAL::square(a.x) + CGAL::square(a.y));
     const Interval chord2 = CGAL::square(e.x.value) + CGAL::square(e.y.value);
-    const Jet<Interval> product = cross(a, e);
     const double turn = std::min(magnitude(product.value), magnitude(product.first) * length * (1 + 4 * operation_error));
-    const Interval largest = Interval(2) * Interval(turn) * Interval(magnitude(w1.value)) * Interval(magnitude(w2.value));
+    const Interval largest = Interval(2) * Interval(turn) * Interval(magnitude(first_->weight(p[0].value))) *
+                             Interval(magnitude(second_->weight(p[1].value)));
     if (!(speed.inf() > 0) || !(chord2.inf() > 0)) return 0;
     if (largest.sup() == 0) return std::numeric_limits<double>::infinity();
     const double radius = (Interval(chord2.inf()) * Interval(speed.inf()) / Interval(largest.sup())).inf();

@@ -305,10 +305,12 @@ private:
       const Curve_graph::Cell_form part = e.restricted_form(a.base.inf(), b.base.sup(), a.placed.at[pivot], b.placed.at[pivot]);
       return draw_between(Piece_evaluator(part, e.base()), a, b, depth + 1, draft, reversed);
     }
-    if (!std::isfinite(error) && depth >= 8) { // nothing is proved here: enclose the stretch as a whole
-      draft.bend = std::max(draft.bend, enclosing_diameter(e, a, b));
-      draft.points.push_back(reversed ? a.placed : b.placed);
-      return;
+    if (!std::isfinite(error) && depth >= 8) { // no bend is proved here: enclose the stretch as a whole
+      if (const double whole = enclosing_diameter(e, a, b); std::isfinite(whole)) {
+        draft.bend = std::max(draft.bend, whole);
+        draft.points.push_back(reversed ? a.placed : b.placed);
+        return;
+      }
     }
     const double wanted = std::isfinite(error) ? std::ceil(1.1 * std::sqrt(error / draft.tolerance)) : 4.0;
     const int parts = static_cast<int>(std::min(16.0, std::max(2.0, wanted)));

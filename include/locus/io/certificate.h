@@ -353,7 +353,7 @@ private:
     if (!has_branches) return {"isolated", false, false};
     if (on_side && ends_arcs) return {"boundary", false, true};
     if (g.kind == Kind::boundary || meets) return {"boundary", false, false};
-    return {g.kind == Kind::open ? "open" : "crossing", false, false};
+    return {g.kind == Kind::open ? "open" : "crossing", false, n.patch->is_pole[v] != 0};
   }
 
   static bool is_in_singular_cell(const Graph_vertex& g, const Certificate_tree& tree)

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -273,11 +274,24 @@ private:
   /// Corners of cells that are one place of the domain, though the place may be seen from opposite cells only.
   class Corner_classes {
   public:
-    void unite(const Corner& a, const Corner& b) { parent_[find(a)] = find(b); }
-    Corner find(Corner c)
+    void unite(const Corner& a, const Corner& b)
+    {
+      const Corner from = find(a), to = find(b);
+      parent_[from] = to;
+      parent_[to] = to;
+    }
+    Corner find(Corner c) const
     {
       for (auto at = parent_.find(c); at != parent_.end() && at->second != c; at = parent_.find(c)) c = at->second;
       return c;
+    }
+    /// All corners at one place.
+    std::vector<Corner> at_place_of(const Corner& c) const
+    {
+      std::vector<Corner> all;
+      for (const auto& [corner, parent] : parent_)
+        if (find(corner) == find(c)) all.push_back(corner);
+      return all;
     }
 
   private:
@@ -290,24 +304,29 @@ private:
     return s.variable == 0 ? Corner{s.cell, end, other} : Corner{s.cell, other, end};
   }
 
+  /// The corner of a cell that is exactly there, if one is.
+  static std::optional<Corner> corner_at(std::size_t cell, const std::array<Interval, 2>& at)
+  {
+    Corner corner{cell, 0, 0};
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (!is_exactly(at[k], 0) && !is_exactly(at[k], 1)) return std::nullopt;
+      corner[k + 1] = is_exactly(at[k], 1) ? 1 : 0;
+    }
+    return corner;
+  }
+
   void unite_corners()
   {
-    Corner_classes classes;
     for (const Glued_sides& g : glued_)
-      for (const int along : {0, 1}) classes.unite(corner_of(g.a, along), corner_of(g.b, along));
+      for (const int along : {0, 1}) corners_.unite(corner_of(g.a, along), corner_of(g.b, along));
     std::map<Corner, Member> first;
     for (std::size_t p = 0; p < work_.patches.size(); ++p)
       for (std::size_t v = 0; v < work_.patches[p].graph.vertices.size(); ++v) {
         const Member m{p, v};
         const std::array<Interval, 2> at = patch(m).local(v);
-        Corner corner{patch(m).cell, 0, 0};
-        bool is_at_corner = !patch(m).is_final[v];
-        for (std::size_t k = 0; k < 2; ++k) {
-          is_at_corner = is_at_corner && (is_exactly(at[k], 0) || is_exactly(at[k], 1));
-          corner[k + 1] = is_exactly(at[k], 1) ? 1 : 0;
-        }
-        if (!is_at_corner || !is_inner_corner({m, at[0]})) continue;
-        const auto [known, is_new] = first.insert({classes.find(corner), m});
+        const std::optional<Corner> corner = corner_at(patch(m).cell, at);
+        if (!corner || patch(m).is_final[v] || !is_inner_corner({m, at[0]})) continue;
+        const auto [known, is_new] = first.insert({corners_.find(*corner), m});
         if (!is_new) unite(m, known->second);
       }
   }
@@ -362,6 +381,7 @@ private:
   {
     using Kind = Graph_vertex::Kind;
     bool is_open = false, is_boundary = false, is_crossing_point = false, is_isolated = false, is_corner = false, one_image = true, is_singular_pole = false;
+    bool all_poles = true;
     char image = 0;
     for (const Member& m : v.members) {
       const Graph_vertex& g = vertex(m);
@@ -374,13 +394,15 @@ private:
       }
       v.is_final = v.is_final || patch(m).is_final[m.vertex];
       v.is_pole = v.is_pole || patch(m).is_pole[m.vertex];
+      all_poles = all_poles && (patch(m).is_pole[m.vertex] || incident_[id(m)].empty());
       is_singular_pole = is_singular_pole || patch(m).is_pole[m.vertex] == 2;
       is_crossing_point = is_crossing_point || g.kind == Kind::node || g.kind == Kind::end;
       is_boundary = is_boundary || ends_here_.count(id(m)) != 0 || is_on_boundary(m);
     }
     const std::size_t n = degree(v);
     v.is_corner = is_corner;
-    v.is_pole = is_singular_pole || (v.is_pole && !is_crossing_point); // where the curves meet, their tangents may well look like a common one
+    // Where the curves meet, their tangents may well look like a common one; and only some of the branches may go to infinity.
+    v.is_pole = is_singular_pole || (v.is_pole && !is_crossing_point && (!is_corner || all_poles));
     if (v.is_final) v.kind = Kind::boundary;
     else if (n > 2 || (n == 2 && (is_crossing_point || !one_image))) v.kind = Kind::node;
     else if (v.is_pole) v.kind = Kind::mark;
@@ -424,12 +446,25 @@ private:
       else add_sector(sector(m), sectors);
     }
     for (const auto& [cell, members] : corners) sectors.push_back(corner_sector(members));
+    add_empty_sectors(v, sectors);
     if (!axis.empty()) return order_around_axis(v, axis);
     if (sectors.size() == 1) {
       v.half_branches = sectors[0].pieces;
       return;
     }
     walk(v, sectors);
+  }
+
+  /// Cells that have no branch at their corner there lie between those that have.
+  void add_empty_sectors(const Patchwork_vertex& v, std::vector<Sector>& sectors) const
+  {
+    const Member& m = v.members[0];
+    const std::optional<Corner> corner = corner_at(patch(m).cell, patch(m).local(m.vertex));
+    if (!corner) return;
+    for (const Corner& other : corners_.at_place_of(*corner)) {
+      const bool is_known = std::any_of(v.members.begin(), v.members.end(), [&](const Member& x) { return patch(x).cell == other[0]; });
+      if (!is_known) sectors.push_back(corner_rays(other[0], {static_cast<int>(other[1]), static_cast<int>(other[2])}));
+    }
   }
 
   /// One cell may have the place as several vertices, of which at most one has branches.
@@ -682,6 +717,7 @@ private:
   std::map<Key, Key> partner_;
   std::map<Key, Side_list> sides_;
   std::map<Seam, Side_list> seams_;
+  Corner_classes corners_;
 };
 
 } // namespace detail
