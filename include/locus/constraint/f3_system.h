@@ -128,9 +128,10 @@ inline void collect_charts(const Corner_expansion& f, const Corner_chart& chart,
 /// The values of an equation of a chart along the line between the first two charts.
 inline Integer_polynomial along_axis(const Equation<2>& f) { return monomial_form(face(f.exact(), 0, true)); }
 
-/// Its different zeros but those of `without`, as an equation for x1.
+/// Its different zeros but those of `without` and the corner, as an equation for x1.
 inline std::shared_ptr<const Equation<2>> zeros_along_axis(Integer_polynomial f, const Integer_polynomial& without)
 {
+  f.erase(f.begin(), std::find_if(f.begin(), f.end(), [](const Integer& c) { return c != 0; }));
   f = exact_quotient(f, gcd(f, derivative(f)));
   if (degree(without) > 0) f = exact_quotient(f, gcd(f, without));
   return std::make_shared<Polynomial_equation<2>>(as_bivariate(bernstein_form(f).rational(), 1));

@@ -3,6 +3,7 @@
 #define LOCUS_CONSTRUCT_BISECTOR_MAP_2_H
 
 #include <locus/constraint/f3_problem.h>
+#include <locus/construct/contact_place.h>
 #include <locus/construct/curve_evaluator.h>
 #include <locus/function/enclosed_surface.h>
 
@@ -15,7 +16,8 @@ namespace locus {
 enum class Map_formula : unsigned char {
   normals, ///< intersection of the two normals (Cramer; fails where the tangents are parallel)
   chord,   ///< first normal and the chord's perpendicular bisector (Farouki & Johnstone 1994; fails where the feet meet)
-  contact  ///< the same with the distance of the feet divided out
+  contact, ///< the same with the distance of the feet divided out
+  node     ///< the same around a node inside, where the curves touch
 };
 
 /// A bivariate polynomial with its partial derivatives, to be enclosed over boxes and along jets.
@@ -98,6 +100,10 @@ public:
                        Enclosed_function_2(contact->turn), contact->power};
   }
 
+  /// Nodes inside where the curves touch; only where the chart is plain.
+  const std::vector<Contact_place>& nodes() const { return nodes_; }
+  void add_node(Contact_place node) { nodes_.push_back(std::move(node)); }
+
   const Curve_evaluator& first() const { return *first_; }
   const Curve_evaluator& second() const { return *second_; }
   const Corner_chart& chart() const { return chart_; }
@@ -114,13 +120,16 @@ public:
   {
     const std::array<T, 2> p = chart_(x);
     const Vector_2<T> x1 = first_->point(p[0]), a = first_->tangent(p[0]);
-    const T lambda = formula == Map_formula::contact ? by_contact(x, p) : by_feet(p, x1, a, formula);
+    const T lambda = formula == Map_formula::node      ? by_node(x)
+                     : formula == Map_formula::contact ? by_contact(x, p)
+                                                       : by_feet(p, x1, a, formula);
     return {{x1.x - a.y * lambda, x1.y + a.x * lambda}, x1};
   }
 
   /// The best conditioned formula near x.
   Map_formula choose(const std::array<double, 2>& at) const
   {
+    if (node_near(at)) return Map_formula::node;
     const std::array<Interval, 2> x{Interval(at[0]), Interval(at[1])}, p = chart_(x);
     const auto mid = [](const Vector_2<Interval>& v) { return Vector_2<double>{midpoint(v.x), midpoint(v.y)}; };
     const Vector_2<double> x1 = mid(first_->point(p[0])), x2 = mid(second_->point(p[1]));
@@ -145,14 +154,23 @@ public:
   }
 
   /// Encloses the bisector points over x where their circles lie between the curves: such a circle's diameters to the feet turn
-  /// by less than a right angle, so its radius is at most |d|/√2. Nothing where the tangents may turn by more.
-  std::optional<Vector_2<Interval>> between_curves(const std::array<Interval, 2>& x) const
+  /// by less than a right angle, so its radius is at most |d|/√2. `direction`: 1, or -1 where the curves run against each other
+  /// at their contact. Nothing where the tangents may have turned by more since.
+  std::optional<Vector_2<Interval>> between_curves(const std::array<Interval, 2>& x, int direction) const
   {
     const std::array<Interval, 2> p = chart_(x);
     const Vector_2<Interval> x1 = first_->point(p[0]), d = second_->point(p[1]) - x1;
-    if (!is_strict(sign_of(dot(first_->tangent(p[0]), second_->tangent(p[1]))))) return std::nullopt;
+    if (sign_of(dot(first_->tangent(p[0]), second_->tangent(p[1]))) != sign_of_int(direction)) return std::nullopt;
     const double reach = CGAL::sqrt((CGAL::square(d.x) + CGAL::square(d.y)) * Interval(0.5)).sup();
     return Vector_2<Interval>{x1.x + Interval(-reach, reach), x1.y + Interval(-reach, reach)};
+  }
+
+  /// Encloses the bisector points over a box of parameters that lie in a direction from a node where the curves touch.
+  Vector_2<Interval> near_node(const Contact_place& node, const std::array<Interval, 2>& x, const Node_direction& direction) const
+  {
+    const Vector_2<Interval> x1 = first_->point(x[0]), a = first_->tangent(x[0]);
+    const Interval lambda = by_expansion(node, direction.base, direction.slope, x[direction.base] - node.at[direction.base], x);
+    return {x1.x - a.y * lambda, x1.y + a.x * lambda};
   }
 
   /// Lower bound of the distance from `centre` to the bisector points along an arc that ends in a pole of the map or at an
@@ -181,6 +199,32 @@ private:
     if (formula == Map_formula::chord) return dot(d, d) / (T(Interval(2)) * cross(a, d));
     const Vector_2<T> b = second_->tangent(p[1]);
     return dot(b, d) / cross(a, b);
+  }
+
+  const Contact_place* node_near(const std::array<double, 2>& at) const
+  {
+    for (const Contact_place& node : nodes_)
+      if (node.is_near(at)) return &node;
+    return nullptr;
+  }
+
+  static double middle(const Interval& x) { return midpoint(x); }
+  static double middle(const Jet<Interval>& x) { return midpoint(x.value); }
+
+  template <class T>
+  T by_node(const std::array<T, 2>& x) const
+  {
+    const std::array<double, 2> at{middle(x[0]), middle(x[1])};
+    const Contact_place& node = *node_near(at);
+    const std::size_t base = std::abs(at[1] - midpoint(node.at[1])) >= std::abs(at[0] - midpoint(node.at[0])) ? 1 : 0;
+    const T distance = x[base] - T(node.at[base]), other = x[1 - base] - T(node.at[1 - base]);
+    return by_expansion(node, base, T(other / distance), distance, x);
+  }
+
+  template <class T>
+  T by_expansion(const Contact_place& node, std::size_t base, const T& slope, const T& distance, const std::array<T, 2>& x) const
+  {
+    return node.expansion.quotient(base, slope, distance) / (T(Interval(2)) * first_->weight(x[0]) * second_->weight(x[1]));
   }
 
   template <class T>
@@ -240,6 +284,7 @@ private:
   Evaluator first_, second_;
   Corner_chart chart_;
   std::optional<Contact> contact_;
+  std::vector<Contact_place> nodes_;
 };
 
 } // namespace locus

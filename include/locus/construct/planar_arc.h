@@ -63,12 +63,16 @@ private:
   Placed place_vertex(const Stretch& s, std::size_t v) const
   {
     Placed p = detail::place_vertex(patch(s), v, vertex(s, v).at);
-    p.is_between = is_between(s);
+    p.between = between(s);
     return p;
   }
-  Placed place_on(const Stretch& s, const std::array<Interval, 2>& at) const { return place(patch(s), at, is_between(s)); }
-  bool is_between(const Stretch& s) const { return patch(s).is_at_contact(s.piece->from) || patch(s).is_at_contact(s.piece->to); }
-  static Placed place_beside(const Placed& p, const std::array<Interval, 2>& at) { return place(*p.patch, at, p.is_between); }
+  Placed place_on(const Stretch& s, const std::array<Interval, 2>& at) const { return place(patch(s), at, between(s)); }
+  int between(const Stretch& s) const
+  {
+    const int from = patch(s).contact_at(s.piece->from);
+    return from != 0 ? from : patch(s).contact_at(s.piece->to);
+  }
+  static Placed place_beside(const Placed& p, const std::array<Interval, 2>& at) { return place(*p.patch, at, p.between); }
 
   std::array<Interval, 2> parameters(const Piece_evaluator& e, double base, double guess, double wanted_width = 5e-13) const
   {
@@ -155,9 +159,9 @@ private:
   Placed placed_on(const Stretch& s, double f, Guess* guess, const Piece_evaluator* evaluator = nullptr) const
   {
     const double g = s.reversed ? 1 - f : f;
+    if (s.piece->is_half_branch && g < 1) return on_half_branch(s, g);
     if (g <= 0 && !s.lo_cut) return place_vertex(s, s.piece->from);
     if (g >= 1 && !s.hi_cut) return place_vertex(s, s.piece->to);
-    if (s.piece->is_half_branch) return on_half_branch(s, g);
     if (evaluator) return placed_between(s, *evaluator, g, guess);
     return placed_between(s, Piece_evaluator(*s.form, s.piece->base), g, guess);
   }
@@ -177,11 +181,19 @@ private:
   /// Inside a node's cell, no wider than `Solve_control::node_width`, the branch is only enclosed: by the whole cell.
   Placed on_half_branch(const Stretch& s, double g) const
   {
-    Placed p = place_vertex(s, g < 0.5 ? s.piece->from : s.piece->to);
+    const bool at_node = g < 0.5;
+    Placed p = place_vertex(s, at_node ? s.piece->from : s.piece->to);
     for (std::size_t v = 0; v < 2; ++v) p.at[v] = hull(p.at[v], Interval(s.form->box.lo[v], s.form->box.hi[v]));
-    const Placed all = place_on(s, p.at);
-    p.point = {hull(p.point.x, all.point.x), hull(p.point.y, all.point.y)};
+    const Placed all = place(patch(s), p.at, between(s), piece_index(s));
+    // The node is where other branches arrive, too: only the cell says where this one does.
+    p.point = at_node ? all.point : Vector_2<Interval>{hull(p.point.x, all.point.x), hull(p.point.y, all.point.y)};
+    if (at_node) p.radius = all.radius;
     return p;
+  }
+
+  std::size_t piece_index(const Stretch& s) const
+  {
+    return static_cast<std::size_t>(s.piece - s_->work.patches[s.patch].graph.pieces.data());
   }
 
   std::vector<Arc_point<2>> spread(std::size_t n) const
@@ -305,8 +317,8 @@ private:
       const Curve_graph::Cell_form part = e.restricted_form(a.base.inf(), b.base.sup(), a.placed.at[pivot], b.placed.at[pivot]);
       return draw_between(Piece_evaluator(part, e.base()), a, b, depth + 1, draft, reversed);
     }
-    if (!std::isfinite(error) && depth >= 8) { // no bend is proved here: enclose the stretch as a whole
-      if (const double whole = enclosing_diameter(e, a, b); std::isfinite(whole)) {
+    if (!std::isfinite(error)) { // no bend is proved here: enclose the stretch as a whole
+      if (const double whole = enclosing_diameter(e, a, b); whole <= draft.tolerance || (depth >= 8 && std::isfinite(whole))) {
         draft.bend = std::max(draft.bend, whole);
         draft.points.push_back(reversed ? a.placed : b.placed);
         return;
@@ -347,7 +359,7 @@ private:
       if (s.piece->is_half_branch) {
         const Placed whole = on_half_branch(s, 0);
         draft.bend = std::max(draft.bend, diameter(whole.point));
-        const Placed ends[2] = {place_vertex(s, s.piece->from), place_vertex(s, s.piece->to)};
+        const Placed ends[2] = {whole, place_vertex(s, s.piece->to)};
         if (draft.points.empty()) draft.points.push_back(ends[s.reversed ? 1 : 0]);
         draft.points.push_back(ends[s.reversed ? 0 : 1]);
         continue;

@@ -206,6 +206,7 @@ private:
     if (problem.contact && (!patch.graph.pieces.empty() || !patch.graph.vertices.empty()))
       planar_patch.map = Bisector_map_2(first_.evaluator(i), second_.evaluator(j), problem.chart, problem.contact);
     mark_vertices(problem, i, j, patch, planar_patch);
+    if (problem.chart.is_plain()) note_contacts(problem, patch.graph, planar_patch.map);
     if (problem.is_self && problem.chart.is_plain()) drop_mirror_half(patch);
     if (evidence_) evidence_->solves.back().patch = patches.size();
     patches.push_back(std::move(patch));
@@ -277,10 +278,19 @@ private:
       if (is_blown_up && !patch.is_final[v]) {
         const Sign sides = contact.is_regular ? sides_of_branches(patch.graph, v, planar_patch.map, contact.direction) : Sign::unknown;
         patch.is_corner[v] = sides == Sign::positive ? 3 : contact.osculates ? 2 : 1;
-        planar_patch.at_contact[v] = sides == Sign::positive;
+        planar_patch.at_contact[v] = static_cast<signed char>(sides == Sign::positive ? contact.direction : 0);
         if (contact.is_flat && sides == Sign::negative) patch.is_pole[v] = 1;
       }
       if (vertex.cause >= 0 && patch.graph.special[static_cast<std::size_t>(vertex.cause)].also == tag_of(F3_cause::pole)) patch.is_pole[v] = 2;
+    }
+  }
+
+  static void note_contacts(const F3_problem& problem, const Curve_graph& graph, Bisector_map_2& map)
+  {
+    for (std::size_t v = 0; v < graph.vertices.size(); ++v) {
+      const int cause = graph.vertices[v].cause;
+      if (cause < 0 || graph.special[static_cast<std::size_t>(cause)].tag != tag_of(F3_cause::meeting)) continue;
+      if (auto node = contact_at_node(graph, v, *problem.first, *problem.second)) map.add_node(std::move(*node));
     }
   }
 

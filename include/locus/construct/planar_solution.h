@@ -48,9 +48,11 @@ struct Planar_patch {
   Bisector_map_2 map;
   std::array<std::size_t, 2> piece{0, 0}; ///< of both inputs
   std::array<Parameter_range, 2> domain;
-  std::vector<char> at_contact; ///< the graph's vertices whose image is the point where the curves touch; may be empty
+  /// The graph's vertices whose image is the point where the curves touch: 1, or -1 where the curves run against each other
+  /// there. May be empty.
+  std::vector<signed char> at_contact;
 
-  bool is_at_contact(std::size_t vertex) const { return vertex < at_contact.size() && at_contact[vertex]; }
+  int contact_at(std::size_t vertex) const { return vertex < at_contact.size() ? at_contact[vertex] : 0; }
 
   /// The inputs' parameters at a place of the patch's chart.
   std::array<Range, 2> parameters(const std::array<Interval, 2>& at) const
@@ -79,25 +81,35 @@ struct Placed {
   std::array<Interval, 2> at;
   Vector_2<Interval> point;
   Interval radius;
-  bool is_between = false; ///< on a branch whose circles lie between the curves, up to their contact
+  int between = 0; ///< on a branch whose circles lie between the curves, up to their contact: as Planar_patch::at_contact
 };
 
-/// `is_between`: see Placed.
-inline Placed place(const Planar_patch& patch, const std::array<Interval, 2>& at, bool is_between = false)
+inline void narrow(Vector_2<Interval>& point, const Vector_2<Interval>& box)
+{
+  point = {common_part(box.x, point.x), common_part(box.y, point.y)};
+}
+
+/// `between`: see Placed. A half-branch may be told, on which the whole box lies.
+inline Placed place(const Planar_patch& patch, const std::array<Interval, 2>& at, int between = 0, std::optional<std::size_t> half_branch = {})
 {
   const Map_formula formula = patch.map.choose({midpoint(at[0]), midpoint(at[1])});
   auto image = patch.map.at(at, formula);
-  if (is_between)
-    if (const auto box = patch.map.between_curves(at)) image.point = {common_part(box->x, image.point.x), common_part(box->y, image.point.y)};
+  if (between != 0)
+    if (const auto box = patch.map.between_curves(at, between)) narrow(image.point, *box);
+  if (half_branch)
+    for (const Contact_place& node : patch.map.nodes())
+      for (const auto& cone : node.cones)
+        if (*half_branch == cone.piece) narrow(image.point, patch.map.near_node(node, at, cone.direction));
   const Vector_2<Interval> arm = image.point - image.first_foot;
-  return {&patch, at, image.point, CGAL::sqrt(CGAL::square(arm.x) + CGAL::square(arm.y)), is_between};
+  return {&patch, at, image.point, CGAL::sqrt(CGAL::square(arm.x) + CGAL::square(arm.y)), between};
 }
 
 /// At a vertex of the patch's graph.
 inline Placed place_vertex(const Planar_patch& patch, std::size_t vertex, const std::array<Interval, 2>& at)
 {
-  if (!patch.is_at_contact(vertex)) return place(patch, at);
-  return {&patch, at, patch.map.first().point(patch.map.chart()(at)[0]), Interval(0), true};
+  const int contact = patch.contact_at(vertex);
+  if (contact == 0) return place(patch, at);
+  return {&patch, at, patch.map.first().point(patch.map.chart()(at)[0]), Interval(0), contact};
 }
 
 inline double diameter(const Vector_2<Interval>& box) { return std::hypot(width(box.x), width(box.y)) * (1 + 8 * operation_error); }

@@ -121,7 +121,7 @@ public:
   /// not prove what the cell is used for.
   Bernstein<Bounded, 2> tight_form(Index i) const
   {
-    if (cells_[i].refreshed) return bounded_form(i);
+    if (cells_[i].refreshed && !cells_[i].exact) return bounded_form(i);
     if (cells_[i].exact) {
       const Bernstein<Rational, 2> f = cells_[i].exact->rational();
       return bounded(converted<Interval>(f, [](const Rational& c) { return enclosing(c); }));

@@ -906,11 +906,15 @@ private:
     }
   }
 
+  static constexpr double exact_below = 0x1p-12;
+
   void keep_forms()
   {
     graph_.forms.reserve(graph_.pieces.size());
     for (const Graph_piece& p : graph_.pieces) {
-      const bool small = tree_[p.cell].box.max_width() < 0x1p-5;
+      const double width = tree_[p.cell].box.max_width();
+      const bool small = width < 0x1p-5;
+      if (width < exact_below) tree_.exact(p.cell); // such cells lie near singular points, where doubles tell little
       graph_.forms.push_back({tree_[p.cell].box, small ? tree_.tight_form(p.cell) : tree_.bounded_form(p.cell), graph_.equation});
     }
   }

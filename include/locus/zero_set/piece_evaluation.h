@@ -86,7 +86,7 @@ public:
       hi = std::min(form_.box.hi[v], hi);
       if (!(lo < hi)) return form_;
     }
-    part.f = bounded(form_.equation->enclosure(part.box));
+    part.f = part.box.max_width() < 0x1p-12 ? rounded_form(part.box) : bounded(form_.equation->enclosure(part.box));
     return part;
   }
 
@@ -122,6 +122,14 @@ public:
   }
 
 private:
+  /// Rounded from the exact polynomial: on tiny boxes near a singular point enclosures tell little.
+  Bernstein<Bounded, 2> rounded_form(const Box<2>& box) const
+  {
+    auto f = form_.equation->exact();
+    for (int v = 0; v < 2; ++v) f = restrict_to(f, v, Rational(box.lo[static_cast<std::size_t>(v)]), Rational(box.hi[static_cast<std::size_t>(v)]));
+    return bounded(converted<Interval>(f.rational(), [](const Rational& c) { return enclosing(c); }));
+  }
+
   /// Greatest slope of the pivot by the base variable over the whole cell, from the coefficients' differences; a large
   /// finite number where they do not bound it.
   double cell_slope() const
