@@ -2,9 +2,10 @@
 #ifndef LOCUS_CONSTRUCT_CONTACT_PLACE_H
 #define LOCUS_CONSTRUCT_CONTACT_PLACE_H
 
-#include <locus/constraint/planar_curve.h>
+#include <locus/constraint/f3_problem.h>
 #include <locus/function/enclosed_surface.h>
 #include <locus/function/jet.h>
+#include <locus/zero_set/critical_points.h>
 #include <locus/zero_set/curve_graph.h>
 
 #include <optional>
@@ -130,19 +131,19 @@ struct Contact_place {
 
 namespace detail {
 
-/// The four third derivatives of a polynomial, enclosed.
-class Third_derivatives {
+/// All derivatives of one order of a polynomial, enclosed.
+class Enclosed_derivatives {
 public:
-  explicit Third_derivatives(const Bernstein<Interval, 2>& f)
+  Enclosed_derivatives(const Bernstein<Interval, 2>& f, std::size_t order) : order_(order)
   {
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k <= order; ++k) {
       Bernstein<Bounded, 2> d = bounded(f);
-      for (std::size_t i = 0; i < 3; ++i) d = derivative(d, i < k ? 1 : 0);
-      parts_[k] = Enclosed_surface(std::move(d));
+      for (std::size_t i = 0; i < order; ++i) d = derivative(d, i < k ? 1 : 0);
+      parts_.emplace_back(std::move(d));
     }
   }
 
-  /// The sign that the third derivative in a direction has all over a box, if it has one.
+  /// The sign that the derivative in a direction has all over a box, if it has one.
   Sign along(const std::array<Interval, 2>& direction, const Box<2>& box) const
   {
     std::array<double, 2> centre, radius;
@@ -150,50 +151,69 @@ public:
       centre[v] = 0.5 * (box.lo[v] + box.hi[v]);
       radius[v] = std::max(box.hi[v] - centre[v], centre[v] - box.lo[v]);
     }
-    constexpr std::array<double, 4> binomial{1, 3, 3, 1};
+    double binomial = 1;
     Interval sum(0);
-    for (std::size_t k = 0; k < 4; ++k) {
-      Interval term = Interval(binomial[k]) * parts_[k].over(centre, radius);
-      for (std::size_t i = 0; i < 3; ++i) term = term * direction[i < k ? 1 : 0];
+    for (std::size_t k = 0; k <= order_; ++k) {
+      Interval term = Interval(binomial) * parts_[k].over(centre, radius);
+      for (std::size_t i = 0; i < order_; ++i) term = term * direction[i < k ? 1 : 0];
       sum = sum + term;
+      binomial = binomial * static_cast<double>(order_ - k) / static_cast<double>(k + 1);
     }
     return sign_of(sum);
   }
 
 private:
-  std::array<Enclosed_surface, 4> parts_; ///< by the number of derivatives in the second variable
+  std::size_t order_;
+  std::vector<Enclosed_surface> parts_; ///< by the number of derivatives in the second variable
 };
 
-/// The narrowest cone that is proved to hold a half-branch: on its two rays the equation, of third order at the node, has no
-/// other zero in the cell, since its third derivative along them has none.
-inline std::optional<Node_direction> cone_around(const Node_direction& exit, const Third_derivatives& third, const Box<2>& cell)
+/// The narrowest cone that is proved to hold a half-branch: on its two rays the equation, with a zero of some order at the node,
+/// has no other one in the cell, since its derivative of that order along them has none.
+inline std::optional<Node_direction> cone_around(const Node_direction& exit, const Enclosed_derivatives& d, const Box<2>& cell)
 {
   for (double spread = 0x1p-24; spread < 0.5; spread *= 2) {
     const Interval low(exit.slope.inf() - spread), high(exit.slope.sup() + spread);
     const auto ray = [&](const Interval& slope) {
       return exit.base == 1 ? std::array<Interval, 2>{slope, Interval(1)} : std::array<Interval, 2>{Interval(1), slope};
     };
-    if (is_strict(third.along(ray(low), cell)) && is_strict(third.along(ray(high), cell))) return Node_direction{exit.base, hull(low, high)};
+    if (is_strict(d.along(ray(low), cell)) && is_strict(d.along(ray(high), cell))) return Node_direction{exit.base, hull(low, high)};
   }
   return std::nullopt;
 }
 
-/// A node of F3 (or of a factor of it) at which the curves meet, if it has more than four half-branches: then it is at least
-/// triple, all second derivatives vanish, and the curves touch; where they cross, F3 starts with |a|²t² - |b|²r².
-inline std::optional<Contact_place> contact_at_node(const Curve_graph& graph, std::size_t vertex, const Planar_curve& first, const Planar_curve& second)
+/// Whether the curves touch at a node where they meet, exactly. With more than four half-branches F3 is at least triple there, or
+/// what is left of it without a line or a circle's factor; where the curves cross, it starts with |a|²t² - |b|²r².
+inline bool touch_at_node(const F3_problem& problem, const Isolated_point& p, std::size_t half_branches)
+{
+  if (half_branches > 4) return true;
+  if (!p.evidence) return false; // a regular solution of C1 = C2
+  Box<2> box;
+  for (std::size_t v = 0; v < 2; ++v) {
+    box.lo[v] = p.box[v].inf();
+    box.hi[v] = p.box[v].sup();
+  }
+  const auto exact = [&](const auto& equation) { return equation->exact(); };
+  const Common_zeros both({exact(pair_equation<Difference_form<false>>(problem)), exact(pair_equation<Difference_form<true>>(problem)),
+                           exact(pair_equation<Parallel_tangents_form>(problem))});
+  return both.is_finite() && !solutions_in(both, box).empty();
+}
+
+/// The surroundings of a node of F3 (or of a factor of it) at which the curves touch. The equation vanishes to the second
+/// order at any node, and to the third at one with more than four half-branches.
+inline std::optional<Contact_place> contact_at_node(const F3_problem& problem, const Curve_graph& graph, std::size_t vertex)
 {
   const Graph_vertex& node = graph.vertices[vertex];
-  if (node.half_branches.size() <= 4) return std::nullopt;
   const Isolated_point& p = graph.special[static_cast<std::size_t>(node.cause)];
+  if (!touch_at_node(problem, p, node.half_branches.size())) return std::nullopt;
   Contact_place place;
   place.at = p.box;
   if (p.evidence) place.at = {hull(enclosing(p.evidence->lo), enclosing(p.evidence->hi)), hull(enclosing(p.evidence->r_lo), enclosing(p.evidence->r_hi))};
-  place.expansion = Contact_expansion(first, second, place.at);
-  const Third_derivatives third(graph.equation->enclosure(Box<2>::unit()));
+  place.expansion = Contact_expansion(*problem.first, *problem.second, place.at);
+  const Enclosed_derivatives d(graph.equation->enclosure(Box<2>::unit()), node.half_branches.size() > 4 ? 3 : 2);
   for (const std::size_t k : node.half_branches) {
     const auto exit = place.direction_to(graph.vertices[graph.pieces[k].to].at);
     if (!exit) continue;
-    if (const auto cone = cone_around(*exit, third, graph.forms[k].box)) place.cones.push_back({k, *cone});
+    if (const auto cone = cone_around(*exit, d, graph.forms[k].box)) place.cones.push_back({k, *cone});
   }
   return place;
 }

@@ -290,7 +290,7 @@ private:
     for (std::size_t v = 0; v < graph.vertices.size(); ++v) {
       const int cause = graph.vertices[v].cause;
       if (cause < 0 || graph.special[static_cast<std::size_t>(cause)].tag != tag_of(F3_cause::meeting)) continue;
-      if (auto node = contact_at_node(graph, v, *problem.first, *problem.second)) map.add_node(std::move(*node));
+      if (auto node = contact_at_node(problem, graph, v)) map.add_node(std::move(*node));
     }
   }
 
