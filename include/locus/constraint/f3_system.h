@@ -128,13 +128,12 @@ inline void collect_charts(const Corner_expansion& f, const Corner_chart& chart,
 /// The values of an equation of a chart along the line between the first two charts.
 inline Integer_polynomial along_axis(const Equation<2>& f) { return monomial_form(face(f.exact(), 0, true)); }
 
-/// Its different zeros but those of `without` and the corner, as an equation for x1.
-inline std::shared_ptr<const Equation<2>> zeros_along_axis(Integer_polynomial f, const Integer_polynomial& without)
+/// Its different zeros but the corner and those of `without`.
+inline Integer_polynomial zeros_along_axis(Integer_polynomial f, const Integer_polynomial& without)
 {
   f.erase(f.begin(), std::find_if(f.begin(), f.end(), [](const Integer& c) { return c != 0; }));
   f = exact_quotient(f, gcd(f, derivative(f)));
-  if (degree(without) > 0) f = exact_quotient(f, gcd(f, without));
-  return std::make_shared<Polynomial_equation<2>>(as_bivariate(bernstein_form(f).rational(), 1));
+  return degree(without) > 0 ? exact_quotient(f, gcd(f, without)) : f;
 }
 
 /// The axis through a blown-up corner, with its crossings of the other factor and its poles.
@@ -147,10 +146,10 @@ inline F3_problem axis_through_corner(const F3_problem& on_first_chart, const Co
   p.system.name = "axis";
   const auto line = std::make_shared<Polynomial_equation<2>>(Bernstein<Rational, 2>(Degrees<2>{1, 0}, {-1, 1}));
   p.system.equations[0] = line;
-  const auto mark = [&](const char* name, F3_cause tag, std::shared_ptr<const Equation<2>> zeros) {
+  const auto mark = [&](const char* name, F3_cause tag, const Integer_polynomial& zeros) {
     Cause<2> cause;
     cause.name = name;
-    cause.equations = {line, std::move(zeros)};
+    cause.equations = {line, std::make_shared<Polynomial_equation<2>>(as_bivariate(bernstein_form(zeros).rational(), 1))};
     cause.proves = Claim_kind::isolated_box;
     cause.tag = tag_of(tag);
     cause.leave_out = on_chart_edges(p.chart, false);
@@ -159,9 +158,14 @@ inline F3_problem axis_through_corner(const F3_problem& on_first_chart, const Co
   const auto &meeting = on_first_chart.system.causes[0].equations, &poles = on_first_chart.system.causes[1].equations;
   // Of the two equations of a pole either may contain the axis; both vanish where the curves meet, too.
   const Integer_polynomial pole = along_axis(face(poles[0]->exact(), 0, true).is_zero() ? *poles[1] : *poles[0]);
-  p.system.causes = {mark("the axis meets the other factor", F3_cause::axis, zeros_along_axis(along_axis(*on_first_chart.system.equations[0]), {})),
-                     mark("common tangent line on the axis", F3_cause::pole,
-                          zeros_along_axis(pole, gcd(along_axis(*meeting[0]), along_axis(*meeting[1]))))};
+  const Integer_polynomial meets = zeros_along_axis(along_axis(*on_first_chart.system.equations[0]), {});
+  const Integer_polynomial infinite = zeros_along_axis(pole, gcd(along_axis(*meeting[0]), along_axis(*meeting[1]))), both = gcd(meets, infinite);
+  p.system.causes = {mark("the axis meets the other factor", F3_cause::axis, exact_quotient(meets, both)),
+                     mark("common tangent line on the axis", F3_cause::pole, exact_quotient(infinite, both))};
+  if (degree(both) > 0) {
+    p.system.causes.push_back(mark("the axis meets the other factor at a common tangent line", F3_cause::axis, both));
+    p.system.causes.back().also = tag_of(F3_cause::pole);
+  }
   p.degrees = {1, 1};
   p.contact = contact_at_corner(forms, p.chart);
   return p;

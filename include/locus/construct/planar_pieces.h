@@ -69,8 +69,8 @@ struct Piece_end {
   }
 };
 
-/// The pieces share a finite point at these ends and have one tangent line there, or both are infinite there: F3 is singular,
-/// beyond a node.
+/// The pieces share a finite point at these ends and have one tangent line there or stand still, or both are infinite there: F3
+/// is singular, beyond a node.
 inline bool touch_at(const Planar_curve& p, int p_end, const Planar_curve& q, int q_end)
 {
   const auto end_of = [](const Bernstein<Interval, 1>& f, int end) { return f[end == 0 ? 0 : f.size() - 1]; };
@@ -83,7 +83,7 @@ inline bool touch_at(const Planar_curve& p, int p_end, const Planar_curve& q, in
   if (a.weight == 0 || b.weight == 0) return a.weight == b.weight;
   for (std::size_t v = 0; v < 2; ++v)
     if (a.numerator[v] * b.weight != b.numerator[v] * a.weight) return false;
-  return a.tangent[0] * b.tangent[1] == a.tangent[1] * b.tangent[0];
+  return p.is_singular_at(p_end) || q.is_singular_at(q_end) || a.tangent[0] * b.tangent[1] == a.tangent[1] * b.tangent[0];
 }
 
 /// The corners of two pieces' cell where they touch.

@@ -144,6 +144,7 @@ private:
   {
     p.cause = cause;
     p.tag = system_.causes[cause].tag;
+    p.also = system_.causes[cause].also;
     if (is_explained(system_.causes[cause], p) || (system_.causes[cause].leave_out && system_.causes[cause].leave_out(p))) return;
     for (const Isolated_point& known : points)
       if (known.cause == cause && (lies_within(known, p.unique_in) || lies_within(p, known.unique_in))) return;

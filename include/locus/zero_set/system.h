@@ -108,6 +108,7 @@ struct Cause {
   std::array<std::shared_ptr<const Equation<D>>, static_cast<std::size_t>(D)> equations;
   Claim_kind proves = Claim_kind::crossing;
   int tag = 0; ///< for the caller, who finds it again at the solutions
+  int also = no_tag; ///< tag of another cause that these solve as well
   /// Causes (by index) all of whose solutions solve this one as well; such a solution counts for them only.
   std::vector<std::size_t> includes;
   /// Solutions that belong to another factor of the equation, if any, decided exactly.
