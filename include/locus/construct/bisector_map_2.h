@@ -189,6 +189,14 @@ public:
     return std::max(bound, normal_line_distance(*second_, p[1].value, centre));
   }
 
+  /// The same over a box of parameters.
+  double least_distance(const std::array<Interval, 2>& x, const Vector_2<double>& centre) const
+  {
+    std::array<Jet<Interval>, 2> any; // of which only the values count
+    for (std::size_t v = 0; v < 2; ++v) any[v] = {x[v], Interval(-1, 1), Interval(0)};
+    return least_distance(any, std::numeric_limits<double>::infinity(), centre);
+  }
+
 private:
   using Contact = detail::Enclosed_contact;
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace locus {
 namespace detail {
@@ -19,8 +20,9 @@ public:
   Arc_point<2> at(double x) const override
   {
     return with_upward_rounding([&] {
-      const auto [step, f] = locate(x);
-      return finished(*s_, placed_at(step, f));
+      const std::vector<Stretch> all = stretches();
+      const auto [step, f] = locate(x, all.size());
+      return finished(*s_, placed_on(all[step], f, nullptr));
     });
   }
 
@@ -53,6 +55,7 @@ private:
     bool reversed = false;
     Interval lo, hi;                    ///< base values at the piece's own ends
     bool lo_cut = false, hi_cut = false; ///< an end is a pole: `lo` or `hi` has been moved inward to a finite point
+    bool is_beyond = false;              ///< on the way from a pole, and proved to lie outside the cut radius
   };
 
   const Patchwork_arc& graph_arc() const { return s_->work.arcs[arc_]; }
@@ -82,7 +85,7 @@ private:
     return at;
   }
 
-  Stretch stretch(std::size_t step) const
+  Stretch whole_stretch(std::size_t step) const
   {
     const Patchwork_arc::Step& at = graph_arc().steps[step];
     const Curve_graph& graph = s_->work.patches[at.patch].graph;
@@ -93,55 +96,98 @@ private:
     s.reversed = at.reversed;
     if (s.piece->is_half_branch) return s;
     const auto base = static_cast<std::size_t>(s.piece->base);
-    const Graph_vertex &from = vertex(s, s.piece->from), &to = vertex(s, s.piece->to);
-    s.lo = from.at[base];
-    s.hi = to.at[base];
-    if (!is_pole(s, s.piece->from) && !is_pole(s, s.piece->to)) return s;
-    const Piece_evaluator e(*s.form, s.piece->base);
-    const double middle = 0.5 * (s.lo.sup() + s.hi.inf());
-    if (is_pole(s, s.piece->from)) {
-      s.lo = Interval(cut_position(patch(s), e, from, s.lo, middle));
-      s.lo_cut = true;
-    }
-    if (is_pole(s, s.piece->to)) {
-      s.hi = Interval(cut_position(patch(s), e, to, s.hi, middle));
-      s.hi_cut = true;
-    }
+    s.lo = vertex(s, s.piece->from).at[base];
+    s.hi = vertex(s, s.piece->to).at[base];
     return s;
+  }
+
+  /// The arc's steps, cut on the way from each pole until the arc comes within the cut radius. Never none.
+  std::vector<Stretch> stretches() const
+  {
+    std::vector<Stretch> all, near;
+    for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) all.push_back(whole_stretch(k));
+    cut_from_pole(all.begin(), all.end(), false);
+    cut_from_pole(all.rbegin(), all.rend(), true);
+    std::copy_if(all.begin(), all.end(), std::back_inserter(near), [](const Stretch& s) { return !s.is_beyond; });
+    if (near.empty()) near.push_back(single_point(all[all.size() / 2]));
+    return near;
+  }
+
+  /// A stretch outside the cut radius is left as one point.
+  static Stretch single_point(Stretch s)
+  {
+    s.is_beyond = false;
+    if (s.piece->is_half_branch) return s;
+    s.lo = s.hi = Interval(0.5 * (s.lo.sup() + s.hi.inf()));
+    s.lo_cut = s.hi_cut = true;
+    return s;
+  }
+
+  template <class Iterator>
+  void cut_from_pole(Iterator first, Iterator last, bool backward) const
+  {
+    if (first == last || !is_pole(*first, entrance(*first, backward))) return;
+    for (; first != last; ++first)
+      if (!cut_at(*first, entrance(*first, backward) == first->piece->from)) return;
+  }
+
+  static std::size_t entrance(const Stretch& s, bool backward) { return s.reversed == backward ? s.piece->from : s.piece->to; }
+
+  /// Cuts a stretch where it comes from a pole; tells whether all of it lies outside the cut radius.
+  bool cut_at(Stretch& s, bool low) const
+  {
+    if (s.is_beyond) return true;
+    if (s.piece->is_half_branch) {
+      const Box<2>& box = s.form->box;
+      const std::array<Interval, 2> cell{Interval(box.lo[0], box.hi[0]), Interval(box.lo[1], box.hi[1])};
+      return s.is_beyond = patch(s).map.least_distance(cell, s_->centre) > s_->cut_radius;
+    }
+    const Piece_evaluator e(*s.form, s.piece->base);
+    const Graph_vertex &near = vertex(s, low ? s.piece->from : s.piece->to), &far = vertex(s, low ? s.piece->to : s.piece->from);
+    const Interval pole = low ? s.lo : s.hi, end = low ? s.hi : s.lo;
+    const Interval at_end = far.at[static_cast<std::size_t>(e.pivot())];
+    const bool is_cut = low ? s.hi_cut : s.lo_cut;
+    const double position = low ? end.sup() : end.inf();
+    if (is_outside(patch(s), e, near, pole, position, is_cut ? e.pivot_at(position, midpoint(at_end)) : at_end)) return s.is_beyond = true;
+    (low ? s.lo : s.hi) = Interval(cut_position(patch(s), e, near, pole, 0.5 * (s.lo.sup() + s.hi.inf())));
+    (low ? s.lo_cut : s.hi_cut) = true;
+    return false;
   }
 
   /// A base value near a pole beyond which (towards the pole) the arc provably stays outside the cut radius.
   double cut_position(const Planar_patch& patch, const Piece_evaluator& e, const Graph_vertex& pole, const Interval& at, double middle) const
   {
-    const auto pivot = static_cast<std::size_t>(e.pivot()), base = static_cast<std::size_t>(e.base());
-    const bool above = middle > at.sup();
-    const double edge = above ? at.sup() : at.inf();
+    const double edge = middle > at.sup() ? at.sup() : at.inf();
     double position = middle;
-    for (int k = 0; k < 50; ++k, position = 0.5 * (position + edge)) {
-      if (position == edge) break;
-      const Interval here = e.pivot_at(position, midpoint(pole.at[pivot]));
-      const double lo = above ? at.inf() : position, hi = above ? position : at.sup();
-      const auto jet = above ? e.jet_over(lo, hi, pole.at[pivot], here) : e.jet_over(lo, hi, here, pole.at[pivot]);
-      if (!jet) continue;
-      std::array<Jet<Interval>, 2> tail;
-      tail[pivot] = {jet->value, jet->first, jet->second};
-      tail[base] = {Interval(lo, hi), Interval(1), Interval(0)};
-      if (patch.map.least_distance(tail, hi - lo, s_->centre) > s_->cut_radius) return position;
-    }
+    for (int k = 0; k < 50 && position != edge; ++k, position = 0.5 * (position + edge))
+      if (is_outside(patch, e, pole, at, position, e.pivot_at(position, midpoint(pole.at[static_cast<std::size_t>(e.pivot())])))) return position;
     return position;
+  }
+
+  /// Whether the arc provably stays outside the cut radius from a pole to a base value.
+  bool is_outside(const Planar_patch& patch, const Piece_evaluator& e, const Graph_vertex& pole, const Interval& at, double position,
+                  const Interval& there) const
+  {
+    const auto pivot = static_cast<std::size_t>(e.pivot()), base = static_cast<std::size_t>(e.base());
+    const bool above = position > at.sup();
+    const double lo = above ? at.inf() : position, hi = above ? position : at.sup();
+    const auto jet = above ? e.jet_over(lo, hi, pole.at[pivot], there) : e.jet_over(lo, hi, there, pole.at[pivot]);
+    if (!jet) return false;
+    std::array<Jet<Interval>, 2> tail;
+    tail[pivot] = {jet->value, jet->first, jet->second};
+    tail[base] = {Interval(lo, hi), Interval(1), Interval(0)};
+    return patch.map.least_distance(tail, hi - lo, s_->centre) > s_->cut_radius;
   }
 
   // ------------------------------------------------------------------------------------------ single points
 
-  std::pair<std::size_t, double> locate(double x) const
+  /// Which of n stretches, and where on it.
+  static std::pair<std::size_t, double> locate(double x, std::size_t n)
   {
-    const auto n = graph_arc().steps.size();
     const double y = std::min(1.0, std::max(0.0, x)) * static_cast<double>(n);
     const std::size_t step = std::min(n - 1, static_cast<std::size_t>(y));
     return {step, y - static_cast<double>(step)};
   }
-
-  Placed placed_at(std::size_t step, double f) const { return placed_on(stretch(step), f, nullptr); }
 
   /// Where the dependent parameter may be next on the way along an arc: extrapolated from the last two points.
   struct Guess {
@@ -198,11 +244,9 @@ private:
 
   std::vector<Arc_point<2>> spread(std::size_t n) const
   {
-    std::vector<Stretch> stretches;
+    const std::vector<Stretch> all = stretches();
     std::vector<double> end{0};
-    for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) {
-      stretches.push_back(stretch(k));
-      const Stretch& s = stretches.back();
+    for (const Stretch& s : all) {
       const double length = s.piece->is_half_branch ? 0.0 : std::max(0.0, s.hi.sup() - s.lo.inf());
       end.push_back(end.back() + length);
     }
@@ -212,22 +256,22 @@ private:
     Guess guess;
     std::optional<Piece_evaluator> evaluator;
     const auto evaluator_of = [&](const Stretch& s) { return evaluator.emplace(*s.form, s.piece->base), &*evaluator; };
-    const Piece_evaluator* current = evaluator_of(stretches[0]);
+    const Piece_evaluator* current = evaluator_of(all[0]);
     for (std::size_t i = 0; i < n; ++i) {
       const double x = end.back() * static_cast<double>(i) / static_cast<double>(n - 1);
-      while (k + 1 < stretches.size() && x > end[k + 1]) {
+      while (k + 1 < all.size() && x > end[k + 1]) {
         ++k;
         guess = Guess();
-        current = evaluator_of(stretches[k]);
+        current = evaluator_of(all[k]);
       }
       const double length = end[k + 1] - end[k];
       double f = length > 0 ? std::min(1.0, (x - end[k]) / length) : 0.0;
       if (i + 1 == n) {
-        k = stretches.size() - 1;
+        k = all.size() - 1;
         f = 1;
-        current = evaluator_of(stretches[k]);
+        current = evaluator_of(all[k]);
       }
-      points.push_back(finished(*s_, placed_on(stretches[k], i == 0 ? 0.0 : f, &guess, current)));
+      points.push_back(finished(*s_, placed_on(all[k], i == 0 ? 0.0 : f, &guess, current)));
     }
     return points;
   }
@@ -354,8 +398,7 @@ private:
     Draft draft;
     draft.tolerance = std::max(relative_tolerance, 0x1p-60) * s_->scale;
     draft.parameter_width = std::max(5e-13, 1e-3 * std::min(relative_tolerance, 1e-3));
-    for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) {
-      const Stretch s = stretch(k);
+    for (const Stretch& s : stretches()) {
       if (s.piece->is_half_branch) {
         const Placed whole = on_half_branch(s, 0);
         draft.bend = std::max(draft.bend, diameter(whole.point));
@@ -384,10 +427,11 @@ private:
 
   Arc_differential<2> differential_at(double x) const
   {
-    const auto [step, f] = locate(x);
-    Stretch s = stretch(step);
-    for (std::size_t k = step; s.piece->is_half_branch && k-- > 0;) s = stretch(k);
-    for (std::size_t k = step; s.piece->is_half_branch && ++k < graph_arc().steps.size();) s = stretch(k);
+    const std::vector<Stretch> all = stretches();
+    const auto [step, f] = locate(x, all.size());
+    Stretch s = all[step];
+    for (std::size_t k = step; s.piece->is_half_branch && k-- > 0;) s = all[k];
+    for (std::size_t k = step; s.piece->is_half_branch && ++k < all.size();) s = all[k];
     if (s.piece->is_half_branch) throw std::logic_error("locus: an arc inside one node's cell has no certified tangent");
     const Piece_evaluator e(*s.form, s.piece->base);
     const double g = std::min(1 - 1e-9, std::max(1e-9, s.reversed ? 1 - f : f));
@@ -414,8 +458,7 @@ private:
   Irregular_points<2> find_irregular() const
   {
     Irregular_points<2> all;
-    for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) {
-      const Stretch s = stretch(k);
+    for (const Stretch& s : stretches()) {
       if (s.piece->is_half_branch) continue;
       const Piece_evaluator e(*s.form, s.piece->base);
       const bool plain = patch(s).map.chart().is_plain();

@@ -179,8 +179,9 @@ private:
   const Integer_polynomial& projection(std::size_t v) const
   {
     if (!projection_[v]) {
-      Integer_polynomial r = resultant_of(f_[0], f_[1], v);
-      projection_[v] = square_free(r);
+      const Integer_polynomial r = resultant_of(f_[0], f_[1], v);
+      const bool share_line = depend_on_one(f_[0], f_[1], v) && degree(r) > 0;
+      projection_[v] = share_line ? Integer_polynomial() : square_free(r);
     }
     return *projection_[v];
   }
@@ -206,8 +207,20 @@ private:
     return degree(common) < 1 ? detail::primitive_part(f) : exact_quotient(f, common);
   }
 
+  /// Whether both are polynomials in variable v alone.
+  static bool depend_on_one(const Bivariate_polynomial& f, const Bivariate_polynomial& g, std::size_t v)
+  {
+    const auto other_degree = [v](const Bivariate_polynomial& h) { return v == 0 ? h.degree_y() : h.degree_x(); };
+    return other_degree(f) == 0 && other_degree(g) == 0;
+  }
+
+  /// Vanishes where both do; of two polynomials in variable v alone it is their common divisor.
   static Integer_polynomial resultant_of(const Bivariate_polynomial& f, const Bivariate_polynomial& g, std::size_t v)
   {
+    if (depend_on_one(f, g, v)) {
+      const auto plain = [v](const Bivariate_polynomial& h) { return v == 0 ? h.row[0] : h.swapped().row[0]; };
+      return gcd(plain(f), plain(g));
+    }
     return v == 0 ? resultant_y(f, g) : resultant_y(f.swapped(), g.swapped());
   }
 
