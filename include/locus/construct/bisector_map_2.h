@@ -180,6 +180,7 @@ public:
     const std::array<Jet<Interval>, 2> p = chart_(x);
     double radius = least_radius(p, length);
     if (contact_ && contact_->power == std::array<int, 2>{0, 0}) radius = std::max(radius, least_contact_radius(x, p, length));
+    if (!std::isfinite(radius)) return radius;
     double bound = 0;
     for (const auto& foot : {first_->point(p[0].value), second_->point(p[1].value)}) {
       const double off = std::hypot(magnitude(foot.x - Interval(centre.x)), magnitude(foot.y - Interval(centre.y))) * (1 + 8 * operation_error);
@@ -187,6 +188,18 @@ public:
     }
     bound = std::max(bound, normal_line_distance(*first_, p[0].value, centre));
     return std::max(bound, normal_line_distance(*second_, p[1].value, centre));
+  }
+
+  /// The same over a box of parameters that lie in a direction from a node where the curves touch.
+  double least_distance(const Contact_place& node, const std::array<Interval, 2>& x, const Node_direction& direction, const Vector_2<double>& centre) const
+  {
+    const Vector_2<Interval> x1 = first_->point(x[0]), a = first_->tangent(x[0]);
+    const double least = node.expansion.least_quotient(direction.base, direction.slope, x[direction.base] - node.at[direction.base]);
+    const Interval scale = Interval(2) * Interval(magnitude(first_->weight(x[0]))) * Interval(magnitude(second_->weight(x[1])));
+    if (!std::isfinite(least)) return least;
+    const Interval radius = CGAL::sqrt(CGAL::square(a.x) + CGAL::square(a.y)) * Interval(least) / scale;
+    const Interval off = CGAL::sqrt(CGAL::square(x1.x - Interval(centre.x)) + CGAL::square(x1.y - Interval(centre.y)));
+    return (Interval(radius.inf()) - Interval(off.sup())).inf();
   }
 
   /// The same over a box of parameters.

@@ -41,6 +41,14 @@ public:
     return (x * x + y * y) / value(turn_, 2, base, slope, distance);
   }
 
+  /// Lower bound of its magnitude, also where a×e may vanish.
+  double least_quotient(std::size_t base, const Interval& slope, const Interval& distance) const
+  {
+    const Interval x = value(chord_[0], 1, base, slope, distance), y = value(chord_[1], 1, base, slope, distance);
+    const double least = (CGAL::square(x) + CGAL::square(y)).inf(), turn = magnitude(value(turn_, 2, base, slope, distance));
+    return least > 0 && std::isfinite(turn) ? (Interval(least) / Interval(turn)).inf() : 0;
+  }
+
 private:
   using Powers = std::vector<Interval>;
   using Table = std::vector<Powers>; ///< [i][j]: of u^i v^j

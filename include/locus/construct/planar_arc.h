@@ -126,7 +126,7 @@ private:
   template <class Iterator>
   void cut_from_pole(Iterator first, Iterator last, bool backward) const
   {
-    if (first == last || !is_pole(*first, entrance(*first, backward))) return;
+    if (first == last || !(first->piece->is_half_branch || is_pole(*first, entrance(*first, backward)))) return;
     for (; first != last; ++first)
       if (!cut_at(*first, entrance(*first, backward) == first->piece->from)) return;
   }
@@ -137,11 +137,7 @@ private:
   bool cut_at(Stretch& s, bool low) const
   {
     if (s.is_beyond) return true;
-    if (s.piece->is_half_branch) {
-      const Box<2>& box = s.form->box;
-      const std::array<Interval, 2> cell{Interval(box.lo[0], box.hi[0]), Interval(box.lo[1], box.hi[1])};
-      return s.is_beyond = patch(s).map.least_distance(cell, s_->centre) > s_->cut_radius;
-    }
+    if (s.piece->is_half_branch || !(s.lo.sup() < s.hi.inf())) return s.is_beyond = is_cell_outside(s);
     const Piece_evaluator e(*s.form, s.piece->base);
     const Graph_vertex &near = vertex(s, low ? s.piece->from : s.piece->to), &far = vertex(s, low ? s.piece->to : s.piece->from);
     const Interval pole = low ? s.lo : s.hi, end = low ? s.hi : s.lo;
@@ -164,6 +160,19 @@ private:
     return position;
   }
 
+  /// Whether a stretch provably lies outside the cut radius, by its cell alone.
+  bool is_cell_outside(const Stretch& s) const
+  {
+    const Box<2>& box = s.form->box;
+    const std::array<Interval, 2> cell{Interval(box.lo[0], box.hi[0]), Interval(box.lo[1], box.hi[1])};
+    const Bisector_map_2& map = patch(s).map;
+    if (map.least_distance(cell, s_->centre) > s_->cut_radius) return true;
+    for (const Contact_place& node : map.nodes())
+      for (const auto& cone : node.cones)
+        if (cone.piece == piece_index(s) && map.least_distance(node, cell, cone.direction, s_->centre) > s_->cut_radius) return true;
+    return false;
+  }
+
   /// Whether the arc provably stays outside the cut radius from a pole to a base value.
   bool is_outside(const Planar_patch& patch, const Piece_evaluator& e, const Graph_vertex& pole, const Interval& at, double position,
                   const Interval& there) const
@@ -171,12 +180,31 @@ private:
     const auto pivot = static_cast<std::size_t>(e.pivot()), base = static_cast<std::size_t>(e.base());
     const bool above = position > at.sup();
     const double lo = above ? at.inf() : position, hi = above ? position : at.sup();
-    const auto jet = above ? e.jet_over(lo, hi, pole.at[pivot], there) : e.jet_over(lo, hi, there, pole.at[pivot]);
+    if (!(lo < hi)) return false;
+    const Interval &at_lo = above ? pole.at[pivot] : there, &at_hi = above ? there : pole.at[pivot];
+    if (is_part_outside(patch.map, e, lo, hi, at_lo, at_hi, 0)) return true;
+    const auto jet = e.jet_over(lo, hi, at_lo, at_hi);
     if (!jet) return false;
     std::array<Jet<Interval>, 2> tail;
     tail[pivot] = {jet->value, jet->first, jet->second};
     tail[base] = {Interval(lo, hi), Interval(1), Interval(0)};
     return patch.map.least_distance(tail, hi - lo, s_->centre) > s_->cut_radius;
+  }
+
+  /// The same by the parameters' boxes over parts of the stretch.
+  bool is_part_outside(const Bisector_map_2& map, const Piece_evaluator& e, double lo, double hi, const Interval& at_lo, const Interval& at_hi, int depth) const
+  {
+    std::array<Interval, 2> box;
+    box[static_cast<std::size_t>(e.base())] = Interval(lo, hi);
+    box[static_cast<std::size_t>(e.pivot())] = e.range_over(lo, hi, at_lo, at_hi);
+    if (map.least_distance(box, s_->centre) > s_->cut_radius) return true;
+    for (const Contact_place& node : map.nodes())
+      if (const auto direction = node.direction_to(box))
+        if (map.least_distance(node, box, *direction, s_->centre) > s_->cut_radius) return true;
+    const double middle = 0.5 * (lo + hi);
+    if (depth == 9 || !(lo < middle && middle < hi)) return false;
+    const Interval there = e.pivot_at(middle, midpoint(at_lo));
+    return is_part_outside(map, e, lo, middle, at_lo, there, depth + 1) && is_part_outside(map, e, middle, hi, there, at_hi, depth + 1);
   }
 
   // ------------------------------------------------------------------------------------------ single points
