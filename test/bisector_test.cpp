@@ -644,6 +644,7 @@ TEST_CASE("samples are bisector points of their feet", "[bisector]")
             samples.expect(q.radius() > l.cut_radius() * 0.5, "an infinite end ends far away");
             continue;
           }
+          if (v.kind == Vertex_kind::node && q.radius() > l.cut_radius() * 0.5) continue; // where the curves touch, a branch may be infinite
           for (std::size_t k = 0; k < 2; ++k)
             samples.expect(v.feet[k].parameters[0].lo - 1e-12 <= q.parameter(k) && q.parameter(k) <= v.feet[k].parameters[0].hi + 1e-12, "an arc's end at its vertex");
           samples.expect(v.point && std::hypot((*v.point)[0] - q.point()[0], (*v.point)[1] - q.point()[1]) <= 1e-9 * l.scale() + 2 * q.error(), "a vertex's point");

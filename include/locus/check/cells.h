@@ -485,10 +485,16 @@ private:
     }
   }
 
+  /// Where arcs stop in the midst of the zero set, at exact parameters.
+  bool is_pole(const Vertex& v) const
+  {
+    return patch_.chart.is_plain && v.at[0].is_exact() && v.at[1].is_exact() && pair_.is_infinite_at(v.at[0].lo, v.at[1].lo);
+  }
+
   bool has_right_degree(const Vertex& v, int degree) const
   {
     switch (v.kind) {
-    case Vertex_kind::crossing: return !v.cell && degree == 2;
+    case Vertex_kind::crossing: return !v.cell && degree == 2 && (!v.stops || is_pole(v));
     case Vertex_kind::boundary: return !v.cell && is_on_boundary(v) && degree > 0 && (degree != 2 || v.stops);
     case Vertex_kind::isolated: return degree == 0 && (v.cell || is_on_boundary(v));
     case Vertex_kind::node: return v.cell && degree > 1;

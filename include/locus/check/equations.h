@@ -86,6 +86,15 @@ public:
     return sum(outer_product(p_.tangent[0], q_.tangent[1]), outer_product(p_.tangent[1], q_.tangent[0]), -1);
   }
 
+  /// Whether the circles grow without bound at a pair of parameters: a common tangent line, or feet in one place where both
+  /// curvatures vanish.
+  bool is_infinite_at(const Rational& t, const Rational& r) const
+  {
+    const bool is_meeting = sign_at(e_[0], t, r) == 0 && sign_at(e_[1], t, r) == 0;
+    if (is_meeting) return bends(p_, t) == 0 && bends(q_, r) == 0;
+    return sign_at(cross(p_, 0), t, r) == 0 && sign_at(cross(q_, 1), t, r) == 0;
+  }
+
   /// The equation of a patch times what was divided out of it is the pair's own equation.
   bool has_equation(const Patch& patch) const
   {
@@ -101,6 +110,11 @@ public:
   }
 
 private:
+  static int bends(const Piece& p, const Rational& u)
+  {
+    return sign_at(sum(product(p.tangent[0], derivative(p.tangent[1])), product(p.tangent[1], derivative(p.tangent[0])), -1), u);
+  }
+
   static Powers squared_speed(const Piece& p) { return sum(product(p.tangent[0], p.tangent[0]), product(p.tangent[1], p.tangent[1])); }
 
   Table dot(const Piece& p, int variable) const

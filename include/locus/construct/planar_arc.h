@@ -127,24 +127,26 @@ private:
   void cut_from_pole(Iterator first, Iterator last, bool backward) const
   {
     if (first == last || !(first->piece->is_half_branch || is_pole(*first, entrance(*first, backward)))) return;
+    const auto end = std::prev(last);
+    const bool has_end = !is_pole(*end, entrance(*end, !backward)); // a finite end is drawn wherever it is
     for (; first != last; ++first)
-      if (!cut_at(*first, entrance(*first, backward) == first->piece->from)) return;
+      if (!cut_at(*first, entrance(*first, backward) == first->piece->from, first != end || !has_end)) return;
   }
 
   static std::size_t entrance(const Stretch& s, bool backward) { return s.reversed == backward ? s.piece->from : s.piece->to; }
 
-  /// Cuts a stretch where it comes from a pole; tells whether all of it lies outside the cut radius.
-  bool cut_at(Stretch& s, bool low) const
+  /// Cuts a stretch where it comes from a pole, or drops it if it may; tells whether all of it lies outside the cut radius.
+  bool cut_at(Stretch& s, bool low, bool may_drop) const
   {
     if (s.is_beyond) return true;
-    if (s.piece->is_half_branch || !(s.lo.sup() < s.hi.inf())) return s.is_beyond = is_cell_outside(s);
+    if (s.piece->is_half_branch || !(s.lo.sup() < s.hi.inf())) return s.is_beyond = may_drop && is_cell_outside(s);
     const Piece_evaluator e(*s.form, s.piece->base);
     const Graph_vertex &near = vertex(s, low ? s.piece->from : s.piece->to), &far = vertex(s, low ? s.piece->to : s.piece->from);
     const Interval pole = low ? s.lo : s.hi, end = low ? s.hi : s.lo;
     const Interval at_end = far.at[static_cast<std::size_t>(e.pivot())];
     const bool is_cut = low ? s.hi_cut : s.lo_cut;
     const double position = low ? end.sup() : end.inf();
-    if (is_outside(patch(s), e, near, pole, position, is_cut ? e.pivot_at(position, midpoint(at_end)) : at_end)) return s.is_beyond = true;
+    if (may_drop && is_outside(patch(s), e, near, pole, position, is_cut ? e.pivot_at(position, midpoint(at_end)) : at_end)) return s.is_beyond = true;
     (low ? s.lo : s.hi) = Interval(cut_position(patch(s), e, near, pole, 0.5 * (s.lo.sup() + s.hi.inf())));
     (low ? s.lo_cut : s.hi_cut) = true;
     return false;
@@ -252,17 +254,28 @@ private:
     return place_on(s, at);
   }
 
-  /// Inside a node's cell, no wider than `Solve_control::node_width`, the branch is only enclosed: by the whole cell.
+  /// Inside a node's cell, no wider than `Solve_control::node_width`, the branch is only enclosed: by the whole cell, or in its
+  /// cone. Where the curves touch the branches' images are different at the node, and only the cone tells.
   Placed on_half_branch(const Stretch& s, double g) const
   {
-    const bool at_node = g < 0.5;
-    Placed p = place_vertex(s, at_node ? s.piece->from : s.piece->to);
-    for (std::size_t v = 0; v < 2; ++v) p.at[v] = hull(p.at[v], Interval(s.form->box.lo[v], s.form->box.hi[v]));
-    const Placed all = place(patch(s), p.at, between(s), piece_index(s));
-    // The node is where other branches arrive, too: only the cell says where this one does.
-    p.point = at_node ? all.point : Vector_2<Interval>{hull(p.point.x, all.point.x), hull(p.point.y, all.point.y)};
-    if (at_node) p.radius = all.radius;
+    const bool has_cone = is_in_cone(s);
+    if (g <= 0 && !has_cone) return place_vertex(s, s.piece->from);
+    Placed p = place_vertex(s, g < 0.5 ? s.piece->from : s.piece->to);
+    std::array<Interval, 2> cell;
+    for (std::size_t v = 0; v < 2; ++v) cell[v] = hull(p.at[v], Interval(s.form->box.lo[v], s.form->box.hi[v]));
+    const Placed all = place(patch(s), cell, between(s), piece_index(s));
+    p.point = has_cone ? all.point : Vector_2<Interval>{hull(p.point.x, all.point.x), hull(p.point.y, all.point.y)};
+    if (has_cone) p.radius = all.radius;
+    if (g > 0) p.at = cell;
     return p;
+  }
+
+  bool is_in_cone(const Stretch& s) const
+  {
+    for (const Contact_place& node : patch(s).map.nodes())
+      for (const auto& cone : node.cones)
+        if (cone.piece == piece_index(s)) return true;
+    return false;
   }
 
   std::size_t piece_index(const Stretch& s) const
@@ -428,9 +441,9 @@ private:
     draft.parameter_width = std::max(5e-13, 1e-3 * std::min(relative_tolerance, 1e-3));
     for (const Stretch& s : stretches()) {
       if (s.piece->is_half_branch) {
-        const Placed whole = on_half_branch(s, 0);
+        const Placed whole = on_half_branch(s, 0.25);
         draft.bend = std::max(draft.bend, diameter(whole.point));
-        const Placed ends[2] = {whole, place_vertex(s, s.piece->to)};
+        const Placed ends[2] = {on_half_branch(s, 0), place_vertex(s, s.piece->to)};
         if (draft.points.empty()) draft.points.push_back(ends[s.reversed ? 1 : 0]);
         draft.points.push_back(ends[s.reversed ? 0 : 1]);
         continue;

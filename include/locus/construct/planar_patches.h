@@ -57,25 +57,6 @@ private:
   }
 };
 
-/// A property with a sign that a piece has all along it, from a strict sign somewhere on it. It need not be one at the piece's
-/// ends.
-template <class Property>
-Sign sign_along(const Curve_graph& graph, std::size_t piece, Property property)
-{
-  const Graph_piece& p = graph.pieces[piece];
-  const auto base = static_cast<std::size_t>(p.base);
-  const Interval from = graph.vertices[p.from].at[base], to = graph.vertices[p.to].at[base];
-  const Piece_evaluator e(graph.forms[piece], p.base);
-  for (const double f : {0.5, 0.25, 0.75, 0.0625, 0.9375}) {
-    const double s = from.sup() + f * (to.inf() - from.sup());
-    std::array<Interval, 2> at;
-    at[base] = Interval(s);
-    at[1 - base] = e.pivot_at(s, 0.5 * (midpoint(graph.vertices[p.from].at[1 - base]) + midpoint(graph.vertices[p.to].at[1 - base])));
-    if (const Sign sign = property(at); is_strict(sign)) return sign;
-  }
-  return Sign::unknown;
-}
-
 /// On which side of a line a piece lies that does not meet it between its ends.
 inline Sign side_of_axis(const Curve_graph& graph, std::size_t piece, const Diagonal& line)
 {

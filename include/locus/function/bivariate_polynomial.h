@@ -3,6 +3,7 @@
 #define LOCUS_FUNCTION_BIVARIATE_POLYNOMIAL_H
 
 #include <locus/function/integer_polynomial.h>
+#include <locus/function/scaled_basis.h>
 
 #include <algorithm>
 #include <utility>
@@ -84,6 +85,47 @@ inline Bivariate_polynomial derivative_y(const Bivariate_polynomial& f)
   }
   d.trim();
   return d;
+}
+
+inline Bivariate_polynomial multiply(const Bivariate_polynomial& f, const Bivariate_polynomial& g)
+{
+  Bivariate_polynomial h;
+  if (f.is_zero() || g.is_zero()) return h;
+  h.row.resize(f.row.size() + g.row.size() - 1);
+  for (std::size_t j = 0; j < f.row.size(); ++j)
+    for (std::size_t l = 0; l < g.row.size(); ++l) {
+      Integer_polynomial& row = h.row[j + l];
+      const Integer_polynomial &a = f.row[j], &b = g.row[l];
+      if (a.empty() || b.empty()) continue;
+      if (row.size() < a.size() + b.size() - 1) row.resize(a.size() + b.size() - 1);
+      for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t k = 0; k < b.size(); ++k) row[i + k] += a[i] * b[k];
+    }
+  h.trim();
+  return h;
+}
+
+/// Equal up to a factor that is a number. Neither is zero.
+inline bool are_proportional(const Bivariate_polynomial& f, const Bivariate_polynomial& g)
+{
+  if (f.row.size() != g.row.size()) return false;
+  const Integer &a = f.row.back().back(), &b = g.row.back().back();
+  for (std::size_t j = 0; j < f.row.size(); ++j) {
+    if (f.row[j].size() != g.row[j].size()) return false;
+    for (std::size_t i = 0; i < f.row[j].size(); ++i)
+      if (f.row[j][i] * b != g.row[j][i] * a) return false;
+  }
+  return true;
+}
+
+/// On the unit cell.
+inline Bernstein<Scaled_integer, 2> bernstein_form(const Bivariate_polynomial& f)
+{
+  Bernstein<Integer, 2> g(Degrees<2>{std::max(0, f.degree_x()), std::max(0, f.degree_y())});
+  for (std::size_t j = 0; j < f.row.size(); ++j)
+    for (std::size_t i = 0; i < f.row[j].size(); ++i) g.at({static_cast<int>(i), static_cast<int>(j)}) = f.row[j][i];
+  for (int v = 0; v < 2; ++v) detail::shift_basis(g, v, false);
+  return Scaled_form(std::move(g), Rational(1)).bernstein();
 }
 
 } // namespace locus

@@ -38,6 +38,7 @@ struct Graph_piece {
   int base = 0;
   bool is_half_branch = false;
   std::size_t from = 0, to = 0; ///< vertices
+  int multiplicity = 1;         ///< the power of the equation's factor that vanishes on it
 };
 
 /// A maximal chain of pieces. Closed arcs have no end vertices.
@@ -49,6 +50,7 @@ struct Graph_arc {
   std::vector<Step> steps;
   bool closed = false;
   std::size_t source = 0, target = 0; ///< vertices; for a closed arc both the one where listing starts
+  int multiplicity = 1;               ///< as its pieces'
 };
 
 struct Undecided_box {
@@ -83,7 +85,7 @@ struct Curve_graph {
   std::vector<Isolated_point> special; ///< solutions of the causes
   std::vector<Undecided_box> undecided;
   Solve_statistics statistics;
-  std::shared_ptr<const Equation<2>> equation;
+  std::shared_ptr<const Equation<2>> equation; ///< as solved: without repeated factors
   /// Polynomial on each piece's cell: kept for refinement, read-only.
   struct Cell_form {
     Box<2> box;

@@ -6,6 +6,7 @@
 #include <locus/zero_set/curve_graph.h>
 #include <locus/zero_set/face_segments.h>
 #include <locus/zero_set/solve_control.h>
+#include <locus/zero_set/multiple_components.h>
 #include <locus/zero_set/special_points.h>
 
 #include <algorithm>
@@ -943,6 +944,16 @@ inline bool has_irregular_node(const Special_points& special)
                      [&](const Isolated_point& p) { return p.evidence && special.is_crossing(p); });
 }
 
+Curve_graph solve_curves_by_attempts(const System<1, 2>& system, const Solve_control& control, Claim_observer<2>* observer);
+
+/// The claims are those of the square-free part.
+inline Curve_graph solve_square_free(const Square_free_system& reduced, const Solve_control& control, Claim_observer<2>* observer)
+{
+  Curve_graph graph = solve_curves_by_attempts(reduced.system, control, observer);
+  note_multiplicities(graph, reduced.factors);
+  return graph;
+}
+
 /// Attempts one after the other: first without an eye for singular points that no cause explains; where cells stay open, with
 /// those that exact algebra finds there. A singular point whose branches touch needs many cells near it: if too many, its own
 /// is left larger.
@@ -968,6 +979,8 @@ inline Curve_graph solve_curves_by_attempts(const System<1, 2>& system, const So
     solver.keeps_claims = observer != nullptr;
     Curve_graph graph = solver.run();
     graph.statistics += before;
+    if (!solver.doubtful.empty() && special.has_critical_curve())
+      if (const auto reduced = without_repetition(system)) return solve_square_free(*reduced, control, observer);
     if (!solver.doubtful.empty()) {
       special.find_singular_points(solver.doubtful);
       attempt.doubtful_width = 0;
@@ -986,7 +999,8 @@ inline Curve_graph solve_curves_by_attempts(const System<1, 2>& system, const So
 } // namespace detail
 
 /// The zero set of one equation in two variables on the unit cell of its domain, certified; what could not be decided
-/// is listed. Needs upward rounding. Cost grows with the number of cells, O(degree³) each in doubles.
+/// is listed. Components along which a factor is repeated are zeros of the square-free part, with their multiplicity.
+/// Needs upward rounding. Cost grows with the number of cells, O(degree³) each in doubles.
 inline Curve_graph solve_curves(const System<1, 2>& system, const Solve_control& control = {},
                                 Claim_observer<2>* observer = nullptr)
 {
