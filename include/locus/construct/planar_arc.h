@@ -141,24 +141,31 @@ private:
     if (s.is_beyond) return true;
     if (s.piece->is_half_branch || !(s.lo.sup() < s.hi.inf())) return s.is_beyond = may_drop && is_cell_outside(s);
     const Piece_evaluator e(*s.form, s.piece->base);
-    const Graph_vertex &near = vertex(s, low ? s.piece->from : s.piece->to), &far = vertex(s, low ? s.piece->to : s.piece->from);
-    const Interval pole = low ? s.lo : s.hi, end = low ? s.hi : s.lo;
-    const Interval at_end = far.at[static_cast<std::size_t>(e.pivot())];
+    const auto pivot = static_cast<std::size_t>(e.pivot());
+    const std::size_t v = low ? s.piece->from : s.piece->to;
+    const Near_end near{low ? s.lo : s.hi, vertex(s, v).at[pivot], is_pole(s, v)};
+    const Interval end = low ? s.hi : s.lo, at_end = vertex(s, low ? s.piece->to : s.piece->from).at[pivot];
     const bool is_cut = low ? s.hi_cut : s.lo_cut;
     const double position = low ? end.sup() : end.inf();
-    if (may_drop && is_outside(patch(s), e, near, pole, position, is_cut ? e.pivot_at(position, midpoint(at_end)) : at_end)) return s.is_beyond = true;
-    (low ? s.lo : s.hi) = Interval(cut_position(patch(s), e, near, pole, 0.5 * (s.lo.sup() + s.hi.inf())));
+    if (may_drop && is_outside(patch(s), e, near, position, is_cut ? e.pivot_at(position, midpoint(at_end)) : at_end)) return s.is_beyond = true;
+    (low ? s.lo : s.hi) = Interval(cut_position(patch(s), e, near, 0.5 * (s.lo.sup() + s.hi.inf())));
     (low ? s.lo_cut : s.hi_cut) = true;
     return false;
   }
 
+  /// Where a stretch comes from a pole, or from a stretch that does.
+  struct Near_end {
+    Interval base, pivot;
+    bool is_pole;
+  };
+
   /// A base value near a pole beyond which (towards the pole) the arc provably stays outside the cut radius.
-  double cut_position(const Planar_patch& patch, const Piece_evaluator& e, const Graph_vertex& pole, const Interval& at, double middle) const
+  double cut_position(const Planar_patch& patch, const Piece_evaluator& e, const Near_end& near, double middle) const
   {
-    const double edge = middle > at.sup() ? at.sup() : at.inf();
+    const double edge = middle > near.base.sup() ? near.base.sup() : near.base.inf();
     double position = middle;
     for (int k = 0; k < 50 && position != edge; ++k, position = 0.5 * (position + edge))
-      if (is_outside(patch, e, pole, at, position, e.pivot_at(position, midpoint(pole.at[static_cast<std::size_t>(e.pivot())])))) return position;
+      if (is_outside(patch, e, near, position, e.pivot_at(position, midpoint(near.pivot)))) return position;
     return position;
   }
 
@@ -175,21 +182,19 @@ private:
     return false;
   }
 
-  /// Whether the arc provably stays outside the cut radius from a pole to a base value.
-  bool is_outside(const Planar_patch& patch, const Piece_evaluator& e, const Graph_vertex& pole, const Interval& at, double position,
-                  const Interval& there) const
+  /// Whether the arc provably stays outside the cut radius from its near end to a base value.
+  bool is_outside(const Planar_patch& patch, const Piece_evaluator& e, const Near_end& near, double position, const Interval& there) const
   {
-    const auto pivot = static_cast<std::size_t>(e.pivot()), base = static_cast<std::size_t>(e.base());
-    const bool above = position > at.sup();
-    const double lo = above ? at.inf() : position, hi = above ? position : at.sup();
+    const bool above = position > near.base.sup();
+    const double lo = above ? near.base.inf() : position, hi = above ? position : near.base.sup();
     if (!(lo < hi)) return false;
-    const Interval &at_lo = above ? pole.at[pivot] : there, &at_hi = above ? there : pole.at[pivot];
+    const Interval &at_lo = above ? near.pivot : there, &at_hi = above ? there : near.pivot;
     if (is_part_outside(patch.map, e, lo, hi, at_lo, at_hi, 0)) return true;
     const auto jet = e.jet_over(lo, hi, at_lo, at_hi);
-    if (!jet) return false;
+    if (!jet || !near.is_pole) return false; // what vanishes at a pole is bounded by its derivative
     std::array<Jet<Interval>, 2> tail;
-    tail[pivot] = {jet->value, jet->first, jet->second};
-    tail[base] = {Interval(lo, hi), Interval(1), Interval(0)};
+    tail[static_cast<std::size_t>(e.pivot())] = {jet->value, jet->first, jet->second};
+    tail[static_cast<std::size_t>(e.base())] = {Interval(lo, hi), Interval(1), Interval(0)};
     return patch.map.least_distance(tail, hi - lo, s_->centre) > s_->cut_radius;
   }
 
