@@ -1076,3 +1076,91 @@ TEST_CASE("limits and options reach the solver", "[bisector]")
     CHECK(same);
   }
 }
+
+// ---------------------------------------------------------------------------------- branches where the curves touch
+
+namespace {
+
+/// Radii of the circles with which arcs end at a node, in order; those of infinite branches are beyond the cut radius.
+std::vector<double> radii_at(const locus::Locus<2>& l, std::size_t vertex)
+{
+  std::vector<double> radii;
+  for (const auto& branch : l.vertices()[vertex].half_branches) {
+    const auto points = l.arcs()[branch.arc].samples(20);
+    radii.push_back((branch.at_start ? points.front() : points.back()).radius());
+  }
+  std::sort(radii.begin(), radii.end());
+  return radii;
+}
+
+std::optional<std::size_t> first_node(const locus::Locus<2>& l)
+{
+  for (std::size_t v = 0; v < l.vertices().size(); ++v)
+    if (l.vertices()[v].kind == Vertex_kind::node) return v;
+  return std::nullopt;
+}
+
+void require_drawn(const locus::Locus<2>& l, double relative_error)
+{
+  CHECK(is_certified(l));
+  for (const auto& arc : l.arcs()) CHECK(arc.polyline(1e-5).error() <= relative_error * l.scale());
+}
+
+} // namespace
+
+TEST_CASE("where the curves touch at irrational parameters each branch has its own limit", "[bisector]")
+{
+  // y = x² and the circle around (0, 5/4) touch at x = ±√3/2, where the parabola's radius of curvature is 4: two
+  // half-branches shrink to the point of contact, two end in the parabola's centre of curvature.
+  const Control_curve parabola = curve_of({{"0", "0"}, {"1/2", "0"}, {"1", "1"}});
+  const Control_curve arc = circular_arc({0, Rational("5/4")}, Rational(1), {1, 0}, {1, -1});
+  const auto l = locus::untrimmed_bisector(parabola.build(), arc.build());
+  require_drawn(l, 1e-2);
+  const auto node = first_node(l);
+  REQUIRE(node);
+  const auto& parameters = l.vertices()[*node].feet[0].parameters[0];
+  CHECK(parameters.lo <= std::sqrt(0.75));
+  CHECK(parameters.hi >= std::sqrt(0.75) - 1e-15);
+  const auto radii = radii_at(l, *node);
+  REQUIRE(radii.size() == 4);
+  for (const std::size_t k : {0u, 1u}) CHECK(std::abs(radii[k]) < 1e-2);
+  for (const std::size_t k : {2u, 3u}) CHECK(std::abs(radii[k] - 4) < 1e-2);
+}
+
+TEST_CASE("at an inflection on its tangent some branches go to infinity", "[bisector]")
+{
+  // y = x³ and y = 0: the median passes the point of contact, and feet with t : r = 3 : 1 have circles that grow for ever.
+  const Control_curve cubic = curve_of({{"-1", "-1"}, {"-1/3", "1"}, {"1/3", "-1"}, {"1", "1"}}), line = curve_of({{"-1", "0"}, {"1", "0"}});
+  const auto l = locus::untrimmed_bisector(cubic.build(), line.build());
+  require_drawn(l, 1e-2);
+  const auto node = first_node(l);
+  REQUIRE(node);
+  REQUIRE(l.vertices()[*node].point);
+  CHECK(std::abs((*l.vertices()[*node].point)[0]) < 1e-12);
+  const auto radii = radii_at(l, *node);
+  REQUIRE(radii.size() == 4);
+  CHECK(radii[1] == 0);
+  CHECK(radii[2] > 0.5 * l.cut_radius());
+}
+
+TEST_CASE("at a flat common end the median has the common point as its limit", "[bisector]")
+{
+  const Control_curve flat = curve_of({{"0", "0"}, {"1", "0"}, {"2", "0"}, {"3", "1"}}), line = curve_of({{"0", "0"}, {"2", "0"}});
+  const auto l = locus::untrimmed_bisector(flat.build(), line.build());
+  require_drawn(l, 1e-2);
+  std::size_t ends = 0;
+  for (const auto& v : l.vertices())
+    ends += v.feet[0].parameters[0].hi == 0 && v.feet[1].parameters[0].hi == 0 && v.point && (*v.point)[0] == 0 && (*v.point)[1] == 0;
+  CHECK(ends >= 1);
+}
+
+TEST_CASE("overlaps that end where the curve stands still", "[bisector]")
+{
+  const Control_curve cusped = curve_of({{"0", "2"}, {"3", "3"}, {"-3", "3"}, {"-3", "3"}});
+  for (const Control_curve& other : {cusped, reversed(cusped), part_of(cusped, Rational("1/2"), Rational(1)), moebius(cusped, Rational(2))}) {
+    const auto l = locus::untrimmed_bisector(cusped.build(), other.build());
+    INFO(reasons(l));
+    require_drawn(l, 1e-2);
+    CHECK(std::any_of(l.degenerate().begin(), l.degenerate().end(), [](const auto& d) { return d.kind == "overlap"; }));
+  }
+}

@@ -177,15 +177,17 @@ inline Rational squared_speed(const Planar_curve& c, int end)
   return Rational(sum / (w * w * w * w));
 }
 
-/// The ratio of the Möbius map along which one curve could be the other's image by a congruence: speeds at both ends decide.
-/// Nothing where they contradict each other or make it irrational; 1 where a curve stands still at an end.
+/// The ratio of the Möbius map along which one curve could be the other's image by a congruence: its square is that of the
+/// squared speeds at 0, and the inverse of that at 1. Nothing where they contradict each other or make it irrational; 1 where
+/// the curves stand still at both ends.
 inline std::optional<Rational> matching_ratio(const Planar_curve& first, const Planar_curve& second, bool reversed)
 {
   const Rational a0 = squared_speed(first, 0), a1 = squared_speed(first, 1);
   const Rational b0 = squared_speed(second, reversed ? 1 : 0), b1 = squared_speed(second, reversed ? 0 : 1);
-  if (a0 == 0 || a1 == 0 || b0 == 0 || b1 == 0) return Rational(1);
-  const Rational square = a0 / b0;
-  if (square * a1 != b1) return std::nullopt;
+  if ((a0 == 0) != (b0 == 0) || (a1 == 0) != (b1 == 0)) return std::nullopt;
+  if (a0 == 0 && a1 == 0) return Rational(1);
+  const Rational square = a0 == 0 ? Rational(b1 / a1) : Rational(a0 / b0);
+  if (a0 != 0 && square * a1 != b1) return std::nullopt;
   if (!mpz_perfect_square_p(square.get_num_mpz_t()) || !mpz_perfect_square_p(square.get_den_mpz_t())) return std::nullopt;
   Rational ratio;
   mpz_sqrt(ratio.get_num_mpz_t(), square.get_num_mpz_t());

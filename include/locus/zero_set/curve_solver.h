@@ -979,7 +979,7 @@ inline Curve_graph solve_curves_by_attempts(const System<1, 2>& system, const So
     solver.keeps_claims = observer != nullptr;
     Curve_graph graph = solver.run();
     graph.statistics += before;
-    if (!solver.doubtful.empty() && special.has_critical_curve())
+    if (!solver.doubtful.empty())
       if (const auto reduced = without_repetition(system)) return solve_square_free(*reduced, control, observer);
     if (!solver.doubtful.empty()) {
       special.find_singular_points(solver.doubtful);

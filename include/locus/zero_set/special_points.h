@@ -131,9 +131,6 @@ public:
     return *critical_;
   }
 
-  /// Whether the equation may be singular along a curve, as far as there is time to ask.
-  bool has_critical_curve() { return !is_late() && critical().bits() <= control_.max_bits && !critical().is_finite(); }
-
 private:
   static constexpr double reach = 0x1p-6;
 
