@@ -798,6 +798,16 @@ TEST_CASE("cancellation, progress, time and size limits are honoured", "[curve_s
     REQUIRE_FALSE(s.undecided.empty());
     CHECK(s.undecided[0].reason == "time limit");
   }
+  { // elimination for the singular points of a form of degree 16 takes longer than this
+    const Bivariate sx = 2 * x * x - 1, sy = 3 * y * y - 1, f = sx * sx - sy * sy * sy + sx * sx * sx * sy, g = f * f + sx * sx * sx * sx * sy * sy;
+    Solve_control control;
+    control.max_seconds = 0.05;
+    System<1, 2> heavy;
+    heavy.equations[0] = equation_of(g.bernstein());
+    const auto start = std::chrono::steady_clock::now();
+    CHECK_FALSE(with_upward_rounding([&] { return locus::solve_curves(heavy, control).is_certified(); }));
+    CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 2);
+  }
   {
     Solve_control control;
     control.max_seconds = 0.05;

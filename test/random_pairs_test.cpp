@@ -25,7 +25,8 @@ using locus::Locus;
 /// Pairs of the run without LOCUS_TEST_SEED that may stay undecided, each with the reason.
 const std::map<std::size_t, std::string>& known_undecided()
 {
-  static const std::map<std::size_t, std::string> known{};
+  static const std::map<std::size_t, std::string> known{
+    {5209, "cell limit: on the chart of a corner two branches through a node stay within 2^-11 of each other"}};
   return known;
 }
 

@@ -392,6 +392,11 @@ private:
       for (std::size_t k = 0; k < x.size(); ++k) unite(id(x[k].member), id(y[k].member));
       return;
     }
+    if (x.size() != y.size() && (is_open(a[0]) || is_open(b[0]))) { // what is open may have the others
+      for (const auto* list : {&x, &y})
+        for (const Place& p : *list) stops_[id(p.member)] = 1;
+      return;
+    }
     const bool whole = !by_tolerance && !may_lack(a) && !may_lack(b);
     if (whole && x.size() != y.size()) throw Refused(named_side(a) + ": the zeros on both sides of a joint differ");
     std::size_t i = 0, j = 0;
@@ -400,6 +405,15 @@ private:
       else if (i == x.size() || y[j].along.hi < x[i].along.lo) leave(y[j++], a, by_tolerance);
       else match_places(x[i++], y[j++], whole || by_tolerance);
     }
+  }
+
+  /// Whether something in a cell was left undecided.
+  bool is_open(std::size_t cell) const
+  {
+    return std::any_of(c_.patches.begin(), c_.patches.end(), [&](const Patch& p) {
+      const auto is_undecided = [](const Token& t) { return t.kind == Token::Kind::undecided; };
+      return cell_of(p.pair) == cell && std::any_of(p.cells.begin(), p.cells.end(), is_undecided);
+    });
   }
 
   std::string named_side(const Side& s) const { return named({s[0] / second_, s[0] % second_}); }
@@ -469,6 +483,11 @@ private:
         seams[{cell_of(patch.pair), cast(line[0]), cast(line[1])}].push_back(std::move(list));
       }
     for (const auto& [key, lists] : seams) {
+      if (is_open(key[0]) && (lists.size() != 2 || lists[0].size() != lists[1].size())) {
+        for (const auto& list : lists)
+          for (const Place& x : list) stops_[id(x.member)] = 1;
+        continue;
+      }
       if (lists.size() != 2 || lists[0].size() != lists[1].size()) throw Refused("cell " + std::to_string(key[0]) + ": the zeros on both sides of a line between charts differ");
       for (std::size_t k = 0; k < lists[0].size(); ++k) unite(id(lists[0][k].member), id(lists[1][k].member));
     }

@@ -3,6 +3,7 @@
 #define LOCUS_FUNCTION_ALGEBRAIC_EXTENSION_H
 
 #include <locus/function/bivariate_polynomial.h>
+#include <locus/function/checkpoint.h>
 #include <locus/function/descartes.h>
 
 namespace locus {
@@ -14,6 +15,8 @@ class Algebraic_extension {
 public:
   /// Coefficients of 1, α, α², …; fewer than the degree of m, no leading zeros.
   using Element = std::vector<Rational>;
+
+  Checkpoint checkpoint; ///< of long computations with polynomials over these numbers
 
   /// α is the only root of m in [lo, hi], whose ends are no roots, or exactly lo == hi.
   Algebraic_extension(Integer_polynomial m, Rational lo, Rational hi) : m_(std::move(m)), lo_(std::move(lo)), hi_(std::move(hi))
@@ -209,6 +212,7 @@ inline void make_monic(Extension_polynomial& f, const Algebraic_extension& field
 inline Extension_polynomial remainder(Extension_polynomial f, const Extension_polynomial& g, Algebraic_extension& field)
 {
   while (f.size() >= g.size()) {
+    pass(field.checkpoint);
     const std::size_t shift = f.size() - g.size();
     const Algebraic_extension::Element q = f.back();
     for (std::size_t i = 0; i + 1 < g.size(); ++i) f[i + shift] = field.subtract(f[i + shift], field.multiply(q, g[i]));

@@ -3,6 +3,7 @@
 #define LOCUS_FUNCTION_RESULTANT_H
 
 #include <locus/function/bivariate_polynomial.h>
+#include <locus/function/checkpoint.h>
 
 #include <cstdint>
 
@@ -154,7 +155,7 @@ inline std::vector<std::vector<std::uint64_t>> values_mod(const Bivariate_polyno
 /// The resultant in y of two polynomials, a polynomial in x: zero exactly if they have a common factor with y in it. Exact,
 /// by values modulo primes of 31 bits, as many as its coefficients can need. With N the resultant's degree and B its bits
 /// the cost is O(B·N·(n·m + N)) machine operations.
-inline Integer_polynomial resultant_y(const Bivariate_polynomial& f, const Bivariate_polynomial& g)
+inline Integer_polynomial resultant_y(const Bivariate_polynomial& f, const Bivariate_polynomial& g, const Checkpoint& checkpoint = {})
 {
   if (f.is_zero() || g.is_zero()) return {};
   const int top = f.degree_y() * std::max(0, g.degree_x()) + g.degree_y() * std::max(0, f.degree_x());
@@ -166,6 +167,7 @@ inline Integer_polynomial resultant_y(const Bivariate_polynomial& f, const Bivar
     const detail::Prime_field k(prime.get_ui());
     const auto f_values = detail::values_mod(f, count, k), g_values = detail::values_mod(g, count, k);
     std::vector<std::uint64_t> values(count);
+    pass(checkpoint);
     for (std::size_t x = 0; x < count; ++x) values[x] = detail::resultant_mod(f_values[x], g_values[x], k);
     result.add(detail::interpolated(std::move(values), k), k);
   }

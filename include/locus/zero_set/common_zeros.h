@@ -60,7 +60,8 @@ public:
   using Rational_box = std::array<std::array<Rational, 2>, 2>;
   using Form = Bernstein<Scaled_integer, 2>;
 
-  explicit Common_zeros(std::vector<Form> polynomials) : form_(std::move(polynomials))
+  /// Computations that take long pass the checkpoint, which may stop them; then the object is of no use any more.
+  explicit Common_zeros(std::vector<Form> polynomials, Checkpoint checkpoint = {}) : form_(std::move(polynomials)), checkpoint_(std::move(checkpoint))
   {
     for (const Form& f : form_) f_.push_back(bivariate_form(f));
   }
@@ -128,6 +129,7 @@ private:
   std::optional<Common_zero> decide(Candidate& x, Candidate& y, const Is_known& is_known,
                                     const std::vector<std::array<Form, 2>>& sufficient) const
   {
+    pass(checkpoint_);
     if (is_known && is_known({x.isolating, y.isolating})) return std::nullopt;
     Common_zero zero;
     zero.alone_in = {x.alone, y.alone};
@@ -143,6 +145,7 @@ private:
       if (zero.sufficient) return zero;
     }
     Algebraic_extension field = smallest_field(x.enclosure());
+    field.checkpoint = checkpoint_;
     const Extension_polynomial h = common_divisor(field);
     if (h.size() < 2 || !changes_sign(h, y.enclosure(), field)) return std::nullopt;
     zero.at[0] = {field.lo(), field.hi()};
@@ -215,13 +218,13 @@ private:
   }
 
   /// Vanishes where both do; of two polynomials in variable v alone it is their common divisor.
-  static Integer_polynomial resultant_of(const Bivariate_polynomial& f, const Bivariate_polynomial& g, std::size_t v)
+  Integer_polynomial resultant_of(const Bivariate_polynomial& f, const Bivariate_polynomial& g, std::size_t v) const
   {
     if (depend_on_one(f, g, v)) {
       const auto plain = [v](const Bivariate_polynomial& h) { return v == 0 ? h.row[0] : h.swapped().row[0]; };
       return gcd(plain(f), plain(g));
     }
-    return v == 0 ? resultant_y(f, g) : resultant_y(f.swapped(), g.swapped());
+    return v == 0 ? resultant_y(f, g, checkpoint_) : resultant_y(f.swapped(), g.swapped(), checkpoint_);
   }
 
   /// Whether a polynomial whose roots are all isolated by such intervals has a root in this one.
@@ -340,6 +343,7 @@ private:
   }
 
   std::vector<Form> form_;
+  Checkpoint checkpoint_;
   std::vector<Bivariate_polynomial> f_;
   mutable std::optional<std::vector<Integer_polynomial>> factors_; ///< of candidates(0)
   mutable std::array<std::optional<Integer_polynomial>, 2> projection_, candidates_;

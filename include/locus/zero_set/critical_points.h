@@ -81,8 +81,8 @@ inline std::vector<Isolated_solution<2>> solutions_in(const Common_zeros& zeros,
 /// What is known exactly of the critical points of a polynomial f: made at the first question, for most solves ask none.
 class Critical_points {
 public:
-  explicit Critical_points(const Bernstein<Scaled_integer, 2>& f)
-    : fx_(derivative(f, 0)), fy_(derivative(f, 1)), f_(f), zeros_({fx_, fy_, f_})
+  explicit Critical_points(const Bernstein<Scaled_integer, 2>& f, const Checkpoint& checkpoint = {})
+    : fx_(derivative(f, 0)), fy_(derivative(f, 1)), f_(f), checkpoint_(checkpoint), zeros_({fx_, fy_, f_}, checkpoint)
   {
   }
 
@@ -103,7 +103,7 @@ public:
   /// Those of them where two further polynomials vanish as well.
   std::vector<Isolated_solution<2>> on_curve(const Box<2>& box, const std::array<std::shared_ptr<const Equation<2>>, 2>& more) const
   {
-    return solutions_in(Common_zeros({fx_, fy_, f_, more[0]->exact(), more[1]->exact()}), box);
+    return solutions_in(Common_zeros({fx_, fy_, f_, more[0]->exact(), more[1]->exact()}, checkpoint_), box);
   }
 
   /// What intervals and rational arithmetic say of a part of the unit cell, without any elimination.
@@ -189,6 +189,7 @@ private:
   }
 
   Bernstein<Scaled_integer, 2> fx_, fy_, f_;
+  Checkpoint checkpoint_;
   Common_zeros zeros_;
 };
 

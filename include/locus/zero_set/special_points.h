@@ -62,20 +62,74 @@ public:
       const std::vector<Box<2>> boxes = clustered(solved.undecided);
       const bool needs_them = std::any_of(boxes.begin(), boxes.end(), [&](const Box<2>& box) { return may_hold_zeros(box); });
       if (!needs_them) continue;
-      const Common_zeros zeros({cause.equations[0]->exact(), cause.equations[1]->exact()});
-      if (is_late() || zeros.bits() > control_.max_bits || !zeros.is_finite()) {
+      if (!solve_exactly(c, boxes))
         for (const Box<2>& box : boxes) undecided.push_back({c, box});
-        continue;
-      }
-      for (const Box<2>& box : boxes)
-        for (const Isolated_point& p : solutions_in(zeros, box)) add(p, c);
     }
-    take_over_marks();
+    in_time([&] { take_over_marks(); }); // those that are left over find no place on an arc
   }
 
   /// Looks for singular points in parts of the unit cell that subdivision could not settle: by intervals and rational
   /// arithmetic, then by elimination. What a limit leaves open stays open.
   void find_singular_points(const std::vector<Box<2>>& parts)
+  {
+    in_time([&] { look_for_singular_points(parts); });
+  }
+
+  /// Whether intervals leave it open that the system's equation vanishes in a box.
+  bool may_hold_zeros(const Box<2>& box) const
+  {
+    const auto f = system_.equations[0]->enclosure(box);
+    Range_sign_of sign;
+    for (const Interval& c : f.coefficients()) sign.add(sign_of(c));
+    return !is_strict(sign.result());
+  }
+
+  bool is_crossing(const Isolated_point& p) const
+  {
+    return p.cause == no_cause || system_.causes[p.cause].proves == Claim_kind::crossing;
+  }
+
+  /// The largest box that is known to have p as its only critical point.
+  const std::optional<Box<2>>& alone_box(std::size_t p)
+  {
+    alone_.resize(points.size());
+    if (!alone_[p].is_known) {
+      alone_[p].is_known = true;
+      in_time([&] {
+        if (critical().bits() <= control_.max_bits && critical().is_finite()) alone_[p].box = critical().alone_about(points[p], reach);
+      });
+    }
+    return alone_[p].box;
+  }
+
+  const Critical_points& critical()
+  {
+    if (!critical_) critical_.emplace(system_.equations[0]->exact(), checkpoint());
+    return *critical_;
+  }
+
+private:
+  static constexpr double reach = 0x1p-6;
+
+  /// All solutions of a cause in some boxes; none where a limit stops it or they are not isolated.
+  bool solve_exactly(std::size_t c, const std::vector<Box<2>>& boxes)
+  {
+    const Cause<2>& cause = system_.causes[c];
+    const Common_zeros zeros({cause.equations[0]->exact(), cause.equations[1]->exact()}, checkpoint());
+    std::vector<Isolated_point> found;
+    bool is_finite = false;
+    const bool is_done = in_time([&] {
+      is_finite = !is_late() && zeros.bits() <= control_.max_bits && zeros.is_finite();
+      if (!is_finite) return;
+      for (const Box<2>& box : boxes)
+        for (const Isolated_point& p : solutions_in(zeros, box)) found.push_back(p);
+    });
+    if (!is_done || !is_finite) return false;
+    for (const Isolated_point& p : found) add(p, c);
+    return true;
+  }
+
+  void look_for_singular_points(const std::vector<Box<2>>& parts)
   {
     if (critical().bits() > control_.max_bits) return;
     for (const Box<2>& part : clustered(parts)) {
@@ -100,41 +154,26 @@ public:
     }
   }
 
-  /// Whether intervals leave it open that the system's equation vanishes in a box.
-  bool may_hold_zeros(const Box<2>& box) const
+  Checkpoint checkpoint() const
   {
-    const auto f = system_.equations[0]->enclosure(box);
-    Range_sign_of sign;
-    for (const Interval& c : f.coefficients()) sign.add(sign_of(c));
-    return !is_strict(sign.result());
+    return [this] {
+      if (is_late()) throw Stopped();
+    };
   }
 
-  bool is_crossing(const Isolated_point& p) const
+  /// Elimination takes its time; whether it was not stopped.
+  template <class F>
+  bool in_time(F f)
   {
-    return p.cause == no_cause || system_.causes[p.cause].proves == Claim_kind::crossing;
-  }
-
-  /// The largest box that is known to have p as its only critical point.
-  const std::optional<Box<2>>& alone_box(std::size_t p)
-  {
-    alone_.resize(points.size());
-    if (!alone_[p].is_known) {
-      alone_[p].is_known = true;
-      if (critical().bits() <= control_.max_bits && critical().is_finite()) alone_[p].box = critical().alone_about(points[p], reach);
+    try {
+      f();
+    } catch (const Stopped&) {
+      critical_.reset();
+      return false;
     }
-    return alone_[p].box;
+    return true;
   }
 
-  const Critical_points& critical()
-  {
-    if (!critical_) critical_.emplace(system_.equations[0]->exact());
-    return *critical_;
-  }
-
-private:
-  static constexpr double reach = 0x1p-6;
-
-  /// Elimination takes its time and cannot be stopped: it is begun only while there is time left.
   bool is_late() const
   {
     return control_.is_cancelled() || std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() > control_.max_seconds;
