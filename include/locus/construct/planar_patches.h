@@ -198,9 +198,19 @@ private:
   {
     for (const Isolated_point& p : graph.special) {
       if (wanted_cut || !problem.chart.is_plain() || !p.evidence || p.tag != tag_of(F3_cause::meeting)) continue;
-      if (p.face[0] < 0 && p.evidence->lo == p.evidence->hi) wanted_cut = Necessary_cut{0, *first_.chain.pieces[i].at(p.evidence->lo)};
-      else if (p.face[1] < 0 && p.evidence->r_lo == p.evidence->r_hi) wanted_cut = Necessary_cut{1, *second_.chain.pieces[j].at(p.evidence->r_lo)};
+      const Rational &t = p.evidence->lo, &r = p.evidence->r_lo;
+      if (t != p.evidence->hi || r != p.evidence->r_hi || !are_parallel(problem, t, r)) continue;
+      if (p.face[0] < 0) wanted_cut = Necessary_cut{0, *first_.chain.pieces[i].at(t)};
+      else if (p.face[1] < 0) wanted_cut = Necessary_cut{1, *second_.chain.pieces[j].at(r)};
     }
+  }
+
+  /// Where the curves cross nothing is to be cut, whatever proved the place.
+  static bool are_parallel(const F3_problem& problem, const Rational& t, const Rational& r)
+  {
+    const auto a = [&](std::size_t v) { return evaluate_at(problem.first->tangent(v), t); };
+    const auto b = [&](std::size_t v) { return evaluate_at(problem.second->tangent(v), r); };
+    return a(0) * b(1) == a(1) * b(0);
   }
 
   static bool is_nothing(const Curve_graph& g)

@@ -69,9 +69,9 @@ struct Piece_end {
   }
 };
 
-/// The pieces share a finite point at these ends and have one tangent line there or stand still, or both are infinite there: F3
-/// is singular, beyond a node.
-inline bool touch_at(const Planar_curve& p, int p_end, const Planar_curve& q, int q_end)
+/// The pieces share a finite point at these ends and have one tangent line there, or both are infinite there: F3 is singular,
+/// beyond a node. `or_rests`: or one of them stands still there.
+inline bool touch_at(const Planar_curve& p, int p_end, const Planar_curve& q, int q_end, bool or_rests = false)
 {
   const auto end_of = [](const Bernstein<Interval, 1>& f, int end) { return f[end == 0 ? 0 : f.size() - 1]; };
   for (std::size_t v = 0; v < 2; ++v) { // most pieces are far apart
@@ -83,17 +83,22 @@ inline bool touch_at(const Planar_curve& p, int p_end, const Planar_curve& q, in
   if (a.weight == 0 || b.weight == 0) return a.weight == b.weight;
   for (std::size_t v = 0; v < 2; ++v)
     if (a.numerator[v] * b.weight != b.numerator[v] * a.weight) return false;
-  return p.is_singular_at(p_end) || q.is_singular_at(q_end) || a.tangent[0] * b.tangent[1] == a.tangent[1] * b.tangent[0];
+  if (a.tangent[0] * b.tangent[1] == a.tangent[1] * b.tangent[0]) return true;
+  return or_rests && (p.is_singular_at(p_end) || q.is_singular_at(q_end));
 }
 
-/// The corners of two pieces' cell where they touch.
+/// The corners of two pieces' cell where they touch, or else the only one where they meet and one of them stands still: of
+/// several such corners none is worth a cut, which might divide an axis.
 inline std::vector<std::array<int, 2>> touching_corners(const Planar_curve& p, const Planar_curve& q)
 {
-  std::vector<std::array<int, 2>> corners;
-  for (const int s : {0, 1})
-    for (const int e : {0, 1})
-      if (touch_at(p, s, q, e)) corners.push_back({s, e});
-  return corners;
+  for (const bool or_rests : {false, true}) {
+    std::vector<std::array<int, 2>> corners;
+    for (const int s : {0, 1})
+      for (const int e : {0, 1})
+        if (touch_at(p, s, q, e, or_rests)) corners.push_back({s, e});
+    if (or_rests ? corners.size() == 1 : !corners.empty()) return corners;
+  }
+  return {};
 }
 
 /// Whether two pieces that touch at opposite corners of their cell coincide.
