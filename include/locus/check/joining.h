@@ -393,8 +393,8 @@ private:
       return;
     }
     if (x.size() != y.size() && (is_open(a[0]) || is_open(b[0]))) { // what is open may have the others
-      for (const auto* list : {&x, &y})
-        for (const Place& p : *list) stops_[id(p.member)] = 1;
+      stop_all(x);
+      stop_all(y);
       return;
     }
     const bool whole = !by_tolerance && !may_lack(a) && !may_lack(b);
@@ -405,6 +405,11 @@ private:
       else if (i == x.size() || y[j].along.hi < x[i].along.lo) leave(y[j++], a, by_tolerance);
       else match_places(x[i++], y[j++], whole || by_tolerance);
     }
+  }
+
+  void stop_all(const std::vector<Place>& list)
+  {
+    for (const Place& x : list) stops_[id(x.member)] = 1;
   }
 
   /// Whether something in a cell was left undecided.
@@ -483,12 +488,12 @@ private:
         seams[{cell_of(patch.pair), cast(line[0]), cast(line[1])}].push_back(std::move(list));
       }
     for (const auto& [key, lists] : seams) {
-      if (is_open(key[0]) && (lists.size() != 2 || lists[0].size() != lists[1].size())) {
-        for (const auto& list : lists)
-          for (const Place& x : list) stops_[id(x.member)] = 1;
+      const bool differ = lists.size() != 2 || lists[0].size() != lists[1].size();
+      if (differ && is_open(key[0])) {
+        for (const auto& list : lists) stop_all(list);
         continue;
       }
-      if (lists.size() != 2 || lists[0].size() != lists[1].size()) throw Refused("cell " + std::to_string(key[0]) + ": the zeros on both sides of a line between charts differ");
+      if (differ) throw Refused("cell " + std::to_string(key[0]) + ": the zeros on both sides of a line between charts differ");
       for (std::size_t k = 0; k < lists[0].size(); ++k) unite(id(lists[0][k].member), id(lists[1][k].member));
     }
   }

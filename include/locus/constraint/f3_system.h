@@ -4,6 +4,8 @@
 
 #include <locus/constraint/f3_factors.h>
 
+#include <initializer_list>
+
 namespace locus {
 namespace detail {
 
@@ -125,6 +127,20 @@ inline void collect_charts(const Corner_expansion& f, const Corner_chart& chart,
   for (const Corner_chart& part : chart.blown_up_again()) collect_charts(f, part, depth + 1, charts);
 }
 
+/// The problem on all charts of the wanted sides of a blown-up corner (see Corner_chart::at).
+inline std::vector<F3_problem> on_charts(const F3_problem& plain, const Corner_forms& forms, const std::array<int, 2>& corner,
+                                         std::initializer_list<bool> sides, bool has_axis)
+{
+  std::vector<Corner_chart> charts;
+  for (const bool first_side : sides) collect_charts(forms.f, Corner_chart::at(corner, first_side), 0, charts);
+  std::vector<F3_problem> problems;
+  for (const Corner_chart& chart : charts) {
+    problems.push_back(on_chart(plain, forms, chart, has_axis));
+    problems.back().repeats_degenerate = problems.size() > 1;
+  }
+  return problems;
+}
+
 /// The values of an equation of a chart along the line between the first two charts.
 inline Integer_polynomial along_axis(const Equation<2>& f) { return monomial_form(face(f.exact(), 0, true)); }
 
@@ -234,12 +250,7 @@ inline std::vector<F3_problem> f3_self_corner_problems(const std::shared_ptr<con
   F3_problem p = detail::undecorated_self_problem(piece);
   if (p.system.equations[0]->exact().is_zero()) return {p};
   p.degrees = p.system.equations[0]->degrees();
-  const detail::Corner_forms forms = detail::corner_forms(p, {end, end});
-  std::vector<Corner_chart> charts;
-  detail::collect_charts(forms.f, Corner_chart::at({end, end}, end == 1), 0, charts);
-  std::vector<F3_problem> problems;
-  for (const Corner_chart& chart : charts) problems.push_back(detail::on_chart(p, forms, chart, true));
-  return problems;
+  return detail::on_charts(p, detail::corner_forms(p, {end, end}), {end, end}, {end == 1}, true);
 }
 
 namespace detail {
@@ -248,21 +259,13 @@ namespace detail {
 inline std::vector<F3_problem> overlap_problems(const std::shared_ptr<const Planar_curve>& first, const std::shared_ptr<const Planar_curve>& second,
                                                 bool reversed)
 {
-  F3_problem p = f3_problem(first, second);
-  std::optional<std::array<int, 2>> corner;
-  for (int end = 0; end < 2; ++end)
-    if (first->is_singular_at(end)) corner = {end, reversed ? 1 - end : end};
-  if (!corner || p.system.equations[0]->exact().is_zero()) return {p};
-  p = undivided_f3_problem(first, second);
+  if (!first->is_singular_at(0) && !first->is_singular_at(1)) return {f3_problem(first, second)};
+  const int end = first->is_singular_at(1) ? 1 : 0;
+  const std::array<int, 2> corner{end, reversed ? 1 - end : end};
+  F3_problem p = undivided_f3_problem(first, second);
   divide_out_diagonal(p, reversed, true);
   p.degrees = p.system.equations[0]->degrees();
-  const Corner_forms forms = corner_forms(p, *corner);
-  std::vector<Corner_chart> charts;
-  for (const bool first_side : {true, false}) collect_charts(forms.f, Corner_chart::at(*corner, first_side), 0, charts);
-  std::vector<F3_problem> problems;
-  for (const Corner_chart& chart : charts) problems.push_back(on_chart(p, forms, chart, false));
-  for (std::size_t k = 1; k < problems.size(); ++k) problems[k].repeats_degenerate = true;
-  return problems;
+  return on_charts(p, corner_forms(p, corner), corner, {true, false}, false);
 }
 
 } // namespace detail
@@ -292,13 +295,9 @@ inline std::vector<F3_problem> f3_corner_problems(std::shared_ptr<const Planar_c
                                     expansion(detail::scaled_form<Difference_form<true>>(*plain.first, *plain.second))},
                                    {of_cause(1, 0), of_cause(1, 1)},
                                    expansion(detail::scaled_form<First_tangent_form>(*plain.first, *plain.second))};
-  std::vector<Corner_chart> charts;
-  for (const bool first_side : {true, false}) detail::collect_charts(forms.f, Corner_chart::at(corner, first_side), 0, charts);
-  std::vector<F3_problem> problems;
-  for (const Corner_chart& chart : charts) problems.push_back(detail::on_chart(plain, forms, chart, has_axis));
+  std::vector<F3_problem> problems = detail::on_charts(plain, forms, corner, {true, false}, has_axis);
   if (has_axis)
     problems.push_back(detail::axis_through_corner(detail::on_chart(plain, forms, Corner_chart::at(corner, true), true), forms));
-  for (std::size_t k = 1; k < problems.size(); ++k) problems[k].repeats_degenerate = true;
   return problems;
 }
 

@@ -120,6 +120,14 @@ struct Contact_place {
   };
   std::vector<Cone> cones;
 
+  /// That of a half-branch, if it has one.
+  const Node_direction* cone_of(std::size_t piece) const
+  {
+    for (const Cone& cone : cones)
+      if (cone.piece == piece) return &cone.direction;
+    return nullptr;
+  }
+
   /// Nothing where a place may be the node.
   std::optional<Node_direction> direction_to(const std::array<Interval, 2>& x) const
   {
@@ -195,15 +203,10 @@ inline bool touch_at_node(const F3_problem& problem, const Isolated_point& p, st
 {
   if (half_branches > 4) return true;
   if (!p.evidence) return false; // a regular solution of C1 = C2
-  Box<2> box;
-  for (std::size_t v = 0; v < 2; ++v) {
-    box.lo[v] = p.box[v].inf();
-    box.hi[v] = p.box[v].sup();
-  }
   const auto exact = [&](const auto& equation) { return equation->exact(); };
   const Common_zeros both({exact(pair_equation<Difference_form<false>>(problem)), exact(pair_equation<Difference_form<true>>(problem)),
                            exact(pair_equation<Parallel_tangents_form>(problem))});
-  return both.is_finite() && !solutions_in(both, box).empty();
+  return both.is_finite() && !solutions_in(both, box_of(p.box)).empty();
 }
 
 /// The surroundings of a node of F3 (or of a factor of it) at which the curves touch. The equation vanishes to the second

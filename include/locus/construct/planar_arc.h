@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <mutex>
 
 namespace locus {
 namespace detail {
@@ -20,7 +21,7 @@ public:
   Arc_point<2> at(double x) const override
   {
     return with_upward_rounding([&] {
-      const std::vector<Stretch> all = stretches();
+      const std::vector<Stretch>& all = stretches();
       const auto [step, f] = locate(x, all.size());
       return finished(*s_, placed_on(all[step], f, nullptr));
     });
@@ -101,8 +102,14 @@ private:
     return s;
   }
 
-  /// The arc's steps, cut on the way from each pole until the arc comes within the cut radius. Never none.
-  std::vector<Stretch> stretches() const
+  /// The arc's steps, cut on the way from each pole until the arc comes within the cut radius. Never none; found out once.
+  const std::vector<Stretch>& stretches() const
+  {
+    std::call_once(once_, [&] { stretches_ = cut_stretches(); });
+    return stretches_;
+  }
+
+  std::vector<Stretch> cut_stretches() const
   {
     std::vector<Stretch> all, near;
     for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) all.push_back(whole_stretch(k));
@@ -177,8 +184,8 @@ private:
     const Bisector_map_2& map = patch(s).map;
     if (map.least_distance(cell, s_->centre) > s_->cut_radius) return true;
     for (const Contact_place& node : map.nodes())
-      for (const auto& cone : node.cones)
-        if (cone.piece == piece_index(s) && map.least_distance(node, cell, cone.direction, s_->centre) > s_->cut_radius) return true;
+      if (const Node_direction* cone = node.cone_of(piece_index(s)))
+        if (map.least_distance(node, cell, *cone, s_->centre) > s_->cut_radius) return true;
     return false;
   }
 
@@ -277,10 +284,8 @@ private:
 
   bool is_in_cone(const Stretch& s) const
   {
-    for (const Contact_place& node : patch(s).map.nodes())
-      for (const auto& cone : node.cones)
-        if (cone.piece == piece_index(s)) return true;
-    return false;
+    const auto& nodes = patch(s).map.nodes();
+    return std::any_of(nodes.begin(), nodes.end(), [&](const Contact_place& node) { return node.cone_of(piece_index(s)) != nullptr; });
   }
 
   std::size_t piece_index(const Stretch& s) const
@@ -290,7 +295,7 @@ private:
 
   std::vector<Arc_point<2>> spread(std::size_t n) const
   {
-    const std::vector<Stretch> all = stretches();
+    const std::vector<Stretch>& all = stretches();
     std::vector<double> end{0};
     for (const Stretch& s : all) {
       const double length = s.piece->is_half_branch ? 0.0 : std::max(0.0, s.hi.sup() - s.lo.inf());
@@ -473,7 +478,7 @@ private:
 
   Arc_differential<2> differential_at(double x) const
   {
-    const std::vector<Stretch> all = stretches();
+    const std::vector<Stretch>& all = stretches();
     const auto [step, f] = locate(x, all.size());
     Stretch s = all[step];
     for (std::size_t k = step; s.piece->is_half_branch && k-- > 0;) s = all[k];
@@ -586,6 +591,8 @@ private:
 
   std::shared_ptr<const Planar_solution> s_;
   std::size_t arc_;
+  mutable std::once_flag once_;
+  mutable std::vector<Stretch> stretches_;
 };
 
 } // namespace detail

@@ -69,36 +69,42 @@ struct Piece_end {
   }
 };
 
-/// The pieces share a finite point at these ends and have one tangent line there, or both are infinite there: F3 is singular,
-/// beyond a node. `or_rests`: or one of them stands still there.
-inline bool touch_at(const Planar_curve& p, int p_end, const Planar_curve& q, int q_end, bool or_rests = false)
+/// How two pieces meet at ends of theirs, if they do. F3 is singular, beyond a node, where they touch or one rests.
+enum class End_meeting : unsigned char {
+  none,
+  crosses, ///< a common finite point
+  rests,   ///< the same, and one of them stands still there
+  touches  ///< a common finite point with one tangent line, or both are infinite there
+};
+
+inline End_meeting meeting_at(const Planar_curve& p, int p_end, const Planar_curve& q, int q_end)
 {
   const auto end_of = [](const Bernstein<Interval, 1>& f, int end) { return f[end == 0 ? 0 : f.size() - 1]; };
   for (std::size_t v = 0; v < 2; ++v) { // most pieces are far apart
     const Interval left = end_of(p.numerator_enclosure(v), p_end) * end_of(q.weight_enclosure(), q_end);
     const Interval right = end_of(q.numerator_enclosure(v), q_end) * end_of(p.weight_enclosure(), p_end);
-    if (!overlap(left, right)) return false;
+    if (!overlap(left, right)) return End_meeting::none;
   }
   const Piece_end a(p, p_end), b(q, q_end);
-  if (a.weight == 0 || b.weight == 0) return a.weight == b.weight;
+  if (a.weight == 0 || b.weight == 0) return a.weight == b.weight ? End_meeting::touches : End_meeting::none;
   for (std::size_t v = 0; v < 2; ++v)
-    if (a.numerator[v] * b.weight != b.numerator[v] * a.weight) return false;
-  if (a.tangent[0] * b.tangent[1] == a.tangent[1] * b.tangent[0]) return true;
-  return or_rests && (p.is_singular_at(p_end) || q.is_singular_at(q_end));
+    if (a.numerator[v] * b.weight != b.numerator[v] * a.weight) return End_meeting::none;
+  if (a.tangent[0] * b.tangent[1] == a.tangent[1] * b.tangent[0]) return End_meeting::touches;
+  return p.is_singular_at(p_end) || q.is_singular_at(q_end) ? End_meeting::rests : End_meeting::crosses;
 }
 
 /// The corners of two pieces' cell where they touch, or else the only one where they meet and one of them stands still: of
 /// several such corners none is worth a cut, which might divide an axis.
 inline std::vector<std::array<int, 2>> touching_corners(const Planar_curve& p, const Planar_curve& q)
 {
-  for (const bool or_rests : {false, true}) {
-    std::vector<std::array<int, 2>> corners;
-    for (const int s : {0, 1})
-      for (const int e : {0, 1})
-        if (touch_at(p, s, q, e, or_rests)) corners.push_back({s, e});
-    if (or_rests ? corners.size() == 1 : !corners.empty()) return corners;
-  }
-  return {};
+  std::vector<std::array<int, 2>> touching, resting;
+  for (const int s : {0, 1})
+    for (const int e : {0, 1}) {
+      const End_meeting meeting = meeting_at(p, s, q, e);
+      if (meeting == End_meeting::touches) touching.push_back({s, e});
+      else if (meeting == End_meeting::rests) resting.push_back({s, e});
+    }
+  return touching.empty() && resting.size() == 1 ? resting : touching;
 }
 
 /// Whether two pieces that touch at opposite corners of their cell coincide.
@@ -155,7 +161,7 @@ inline std::optional<Rational> touch_inside(const Planar_curve& p, int p_end, co
 }
 
 /// A piece whose ends meet smoothly, or that is infinite at both.
-inline bool touches_itself(const Planar_curve& p) { return touch_at(p, 0, p, 1); }
+inline bool touches_itself(const Planar_curve& p) { return meeting_at(p, 0, p, 1) == End_meeting::touches; }
 
 /// Finite value in the middle of a piece's local range.
 inline Rational middle_of(const Piece& range) { return *range.at(Rational(1, 2)); }

@@ -98,8 +98,7 @@ inline Placed place(const Planar_patch& patch, const std::array<Interval, 2>& at
     if (const auto box = patch.map.between_curves(at, between)) narrow(image.point, *box);
   if (half_branch)
     for (const Contact_place& node : patch.map.nodes())
-      for (const auto& cone : node.cones)
-        if (*half_branch == cone.piece) narrow(image.point, patch.map.near_node(node, at, cone.direction));
+      if (const Node_direction* cone = node.cone_of(*half_branch)) narrow(image.point, patch.map.near_node(node, at, *cone));
   const Vector_2<Interval> arm = image.point - image.first_foot;
   return {&patch, at, image.point, CGAL::sqrt(CGAL::square(arm.x) + CGAL::square(arm.y)), between};
 }

@@ -51,6 +51,15 @@ private:
   bool positive_ = false, negative_ = false, zero_ = false, unknown_ = false;
 };
 
+/// Whether intervals leave it open that an equation vanishes in a box, by its coefficients there.
+inline bool may_vanish(const Equation<2>& equation, const Box<2>& box)
+{
+  Range_sign_of sign;
+  const auto f = equation.enclosure(box);
+  for (const Interval& c : f.coefficients()) sign.add(sign_of(c));
+  return !is_strict(sign.result());
+}
+
 /// The cells of a subdivision with one polynomial's Bernstein coefficients on each: doubles with an error bound in one
 /// arena, replaced by a fresh enclosure where a sign stays unknown, and exact integers made on demand along the path
 /// of ancestors and kept there.
@@ -121,12 +130,11 @@ public:
   /// not prove what the cell is used for.
   Bernstein<Bounded, 2> tight_form(Index i) const
   {
-    if (cells_[i].refreshed && !cells_[i].exact) return bounded_form(i);
     if (cells_[i].exact) {
       const Bernstein<Rational, 2> f = cells_[i].exact->rational();
       return bounded(converted<Interval>(f, [](const Rational& c) { return enclosing(c); }));
     }
-    return bounded(equation_.enclosure(cells_[i].box));
+    return cells_[i].refreshed ? bounded_form(i) : bounded(equation_.enclosure(cells_[i].box));
   }
 
   /// Exact coefficients on the cell, up to a positive factor.

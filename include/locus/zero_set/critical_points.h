@@ -139,14 +139,8 @@ public:
   /// A box about a critical point, as large as `reach` allows, that has no other one.
   std::optional<Box<2>> alone_about(const Isolated_solution<2>& p, double reach) const
   {
-    Box<2> at;
-    Rational_box point;
-    for (std::size_t v = 0; v < 2; ++v) {
-      at.lo[v] = p.box[v].inf();
-      at.hi[v] = p.box[v].sup();
-      point[v] = {Rational(at.lo[v]), Rational(at.hi[v])};
-    }
-    const auto part = zeros_.alone_about(point, widened(at, reach));
+    const Box<2> at = box_of(p.box);
+    const auto part = zeros_.alone_about(widened(at, 0), widened(at, reach));
     if (!part) return std::nullopt;
     return inner_box(*part);
   }

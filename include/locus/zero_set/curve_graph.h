@@ -88,6 +88,9 @@ struct Curve_graph {
   std::shared_ptr<const Equation<2>> equation; ///< as solved: without repeated factors
   /// Polynomial on each piece's cell: kept for refinement, read-only.
   struct Cell_form {
+    /// Smaller boxes lie near singular points, where doubles tell little: their forms are rounded from exact ones.
+    static constexpr double exact_below = 0x1p-12;
+
     Box<2> box;
     Bernstein<Bounded, 2> f;
     std::shared_ptr<const Equation<2>> equation;

@@ -91,10 +91,7 @@ private:
       claim.kind = Claim_kind::isolated_box;
       claim.special = k;
       claim.reason = p.cause == no_cause ? "singular point" : system_.causes[p.cause].name;
-      for (std::size_t v = 0; v < 2; ++v) {
-        claim.box.lo[v] = p.box[v].inf();
-        claim.box.hi[v] = p.box[v].sup();
-      }
+      claim.box = box_of(p.box);
       emit(claim);
     }
   }
@@ -907,15 +904,13 @@ private:
     }
   }
 
-  static constexpr double exact_below = 0x1p-12;
-
   void keep_forms()
   {
     graph_.forms.reserve(graph_.pieces.size());
     for (const Graph_piece& p : graph_.pieces) {
       const double width = tree_[p.cell].box.max_width();
       const bool small = width < 0x1p-5;
-      if (width < exact_below) tree_.exact(p.cell); // such cells lie near singular points, where doubles tell little
+      if (width < Curve_graph::Cell_form::exact_below) tree_.exact(p.cell);
       graph_.forms.push_back({tree_[p.cell].box, small ? tree_.tight_form(p.cell) : tree_.bounded_form(p.cell), graph_.equation});
     }
   }

@@ -37,21 +37,6 @@ inline std::optional<Square_free_system> without_repetition(const System<1, 2>& 
   return reduced;
 }
 
-/// Whether an equation has one strict sign on a box of parameters, by its coefficients there.
-inline Sign strict_sign_on(const Equation<2>& equation, const std::array<Interval, 2>& at)
-{
-  Box<2> box;
-  for (std::size_t v = 0; v < 2; ++v) {
-    box.lo[v] = at[v].inf();
-    box.hi[v] = at[v].sup();
-  }
-  const auto f = equation.enclosure(box);
-  Sign sign = sign_of(f[0]);
-  for (const Interval& c : f.coefficients())
-    if (sign_of(c) != sign) return Sign::unknown;
-  return sign;
-}
-
 /// The only factor that can vanish on a piece, seen from a place on it where all others have a sign; -1 where none is found.
 inline int factor_of_piece(const Curve_graph& graph, std::size_t piece, const std::vector<Square_free_system::Factor>& factors)
 {
@@ -59,7 +44,7 @@ inline int factor_of_piece(const Curve_graph& graph, std::size_t piece, const st
   const auto look = [&](const std::array<Interval, 2>& at) {
     int candidate = -1, open = 0;
     for (std::size_t k = 0; k < factors.size(); ++k)
-      if (!is_strict(strict_sign_on(*factors[k].equation, at))) {
+      if (may_vanish(*factors[k].equation, box_of(at))) {
         ++open;
         candidate = static_cast<int>(k);
       }

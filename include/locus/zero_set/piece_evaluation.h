@@ -86,7 +86,7 @@ public:
       hi = std::min(form_.box.hi[v], hi);
       if (!(lo < hi)) return form_;
     }
-    part.f = part.box.max_width() < 0x1p-12 ? rounded_form(part.box) : bounded(form_.equation->enclosure(part.box));
+    part.f = part.box.max_width() < part.exact_below ? rounded_form(part.box) : bounded(form_.equation->enclosure(part.box));
     return part;
   }
 
@@ -122,7 +122,7 @@ public:
   }
 
 private:
-  /// Rounded from the exact polynomial: on tiny boxes near a singular point enclosures tell little.
+  /// Rounded from the exact polynomial.
   Bernstein<Bounded, 2> rounded_form(const Box<2>& box) const
   {
     auto f = form_.equation->exact();

@@ -560,12 +560,7 @@ private:
         result_.points.push_back(p);
         continue;
       }
-      Box<K> box;
-      for (std::size_t v = 0; v < size; ++v) {
-        box.lo[v] = p.box[v].inf();
-        box.hi[v] = p.box[v].sup();
-      }
-      give_up(box, "a solution too near a face of the cell to tell on which side");
+      give_up(box_of(p.box), "a solution too near a face of the cell to tell on which side");
       result_.undecided_details.back().at_most = 1;
     }
   }

@@ -76,13 +76,7 @@ public:
   }
 
   /// Whether intervals leave it open that the system's equation vanishes in a box.
-  bool may_hold_zeros(const Box<2>& box) const
-  {
-    const auto f = system_.equations[0]->enclosure(box);
-    Range_sign_of sign;
-    for (const Interval& c : f.coefficients()) sign.add(sign_of(c));
-    return !is_strict(sign.result());
-  }
+  bool may_hold_zeros(const Box<2>& box) const { return may_vanish(*system_.equations[0], box); }
 
   bool is_crossing(const Isolated_point& p) const
   {
@@ -207,11 +201,7 @@ private:
   template <class Is_solved>
   bool take_over_mark(Isolated_point& p, const Is_solved& is_solved)
   {
-    Box<2> at;
-    for (std::size_t v = 0; v < 2; ++v) {
-      at.lo[v] = p.box[v].inf();
-      at.hi[v] = p.box[v].sup();
-    }
+    const Box<2> at = box_of(p.box);
     for (std::size_t k = 0; k < points.size(); ++k) {
       if (is_crossing(points[k]) || !overlap(points[k].box[0], p.box[0]) || !overlap(points[k].box[1], p.box[1])) continue;
       const Cause<2>& cause = system_.causes[points[k].cause];
@@ -233,7 +223,7 @@ private:
       Isolated_point p = points[k];
       const bool taken = take_over_mark(p, [&](const Box<2>& at, const Cause<2>& cause) {
         const auto& node = system_.causes[p.cause].equations;
-        const Common_zeros both({node[0]->exact(), node[1]->exact(), cause.equations[0]->exact(), cause.equations[1]->exact()});
+        const Common_zeros both({node[0]->exact(), node[1]->exact(), cause.equations[0]->exact(), cause.equations[1]->exact()}, checkpoint());
         return both.bits() <= control_.max_bits && both.is_finite() && !solutions_in(both, at).empty();
       });
       if (!taken) continue;

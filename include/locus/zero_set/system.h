@@ -73,6 +73,18 @@ private:
   Bernstein<Interval, D> enclosure_;
 };
 
+/// The box of doubles that some intervals span.
+template <std::size_t N>
+Box<static_cast<int>(N)> box_of(const std::array<Interval, N>& at)
+{
+  Box<static_cast<int>(N)> box;
+  for (std::size_t v = 0; v < N; ++v) {
+    box.lo[v] = at[v].inf();
+    box.hi[v] = at[v].sup();
+  }
+  return box;
+}
+
 /// `cause` and `tag` of a singular point that no cause explains.
 inline constexpr std::size_t no_cause = static_cast<std::size_t>(-1);
 inline constexpr int no_tag = -1;
