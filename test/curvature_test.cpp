@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 using namespace locus;
-using Kind = Curvature_point::Kind;
+using Kind = Curvature_event;
 
 namespace {
 
@@ -55,8 +55,8 @@ TEST_CASE("an ellipse has four vertices, exactly, with the centres of curvature 
   const double a = 4, b = 2;
   const std::array<std::array<double, 2>, 4> centres{{{1, 2 - (a * a - b * b) / b}, {1 - (a * a - b * b) / a, 2}, {1, 2 + (a * a - b * b) / b}, {1 + (a * a - b * b) / a, 2}}};
   for (const auto& p : points) {
-    CHECK(p.kind == Kind::kink); // at the quarters' joints
-    CHECK(p.changes_sign);
+    CHECK(p.kind == Kind::extremum); // at the quarters' joints
+    CHECK(p.changes_sign());
     CHECK(p.parameter.lo == p.parameter.hi);
     REQUIRE(p.centre.has_value());
     bool known = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-// Jobs in, results and pictures out: json_text.h, json_job.h, json_result.h, svg.h.
+// Jobs in, results and pictures out: json_text.h, json_inputs.h, json_surface.h, json_job.h, json_result.h, svg.h. What jobs
+// say of space is in surface_test.cpp.
 
 #include <locus/bisector_2.h>
 #include <locus/io/json_job.h>
@@ -110,6 +111,8 @@ TEST_CASE("a job's members")
   CHECK(defaults.options.trimmed);
   CHECK(defaults.options.tolerance == Rational(1, 1000000));
   CHECK(defaults.inputs[0].kind == Job_input::Kind::point);
+  CHECK(defaults.inputs[1].missing.empty());
+  CHECK(defaults.inputs[1].point == std::vector<Rational>{Rational(1, 3), 2});
   CHECK_THROWS_AS(require_supported(defaults), Unsupported_feature);
   CHECK(read_job(R"({"compute": "alpha_sector", "alpha": "1/3", "inputs": [{"point": [0, 1]}, {"point": [1, 2]}]})")
           .alpha == Rational(1, 3));
@@ -391,7 +394,12 @@ TEST_CASE("a job's closed curves, and curves in monomial form")
     R"({"compute": "bisector", "inputs": [)"
     R"({"curve": {"degree": 1, "control_points": [[0,0,0],[1,0,1],[2,1,1]], "knots": [0,0,1,2,2]}},)"
     R"({"curve": {"monomial": {"x": [0,1], "y": [0], "z": [1]}, "domain": [0, "inf"]}}]})");
-  for (const Job_input& input : space.inputs) CHECK(input.missing == "curves in space");
+  for (const Job_input& input : space.inputs) {
+    CHECK(input.missing.empty());
+    CHECK(!input.curve);
+    REQUIRE(input.space_curve);
+    CHECK(input.space_curve->pieces().size() == 2);
+  }
 }
 
 TEST_CASE("what is wrong with a job's splines and monomials")

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 // The program `locus`: reads a job as JSON, computes it, writes the result as JSON and as a picture.
 
+#include "files.h"
 #include "progress_bar.h"
 #include "read_certificate.h"
 
 #include <locus/bisector_2.h>
+#include <locus/bisector_3.h>
 #include <locus/check/checker.h>
+#include <locus/curvature.h>
+#include <locus/evolute.h>
 #include <locus/io/certificate.h>
+#include <locus/io/json_curvature.h>
 #include <locus/io/json_job.h>
-#include <locus/io/json_result.h>
+#include <locus/io/mesh.h>
 #include <locus/io/svg.h>
 
 #include <CLI/CLI.hpp>
@@ -37,96 +42,7 @@
 
 namespace {
 
-/// What the program's exit status says.
-enum Exit : int { answered = 0, something_undecided = 1, invalid_job = 2, internal_error = 3, missing_feature = 4 };
-
-/// The command line or a file it names cannot be used.
-class Usage_error : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
-
-struct Settings {
-  std::string job;
-  std::string json, svg, ply, certificate; ///< output files; empty: none
-  std::string tolerance;
-  bool progress = false;
-  std::size_t max_cells = locus::Solve_control().max_cells;
-  double max_seconds = std::numeric_limits<double>::infinity();
-};
-
-constexpr const char* standard = "-"; // standard input or output
-
-std::string shown(const std::string& path) { return path == standard ? "standard input" : locus::printable(path, 400); }
-
-int complain(const std::string& message, Exit status)
-{
-  // Whatever the message quotes: one line.
-  std::cerr << "locus: " << locus::printable(message, 2000) << std::endl;
-  return status;
-}
-
-// ---------------------------------------------------------------------------------------------------------- files
-
-std::string system_reason()
-{
-  return errno == 0 ? std::string("unknown reason") : std::generic_category().message(errno);
-}
-
-std::string read_text(const std::string& path)
-{
-  if (path == standard) return locus::read_json_text(std::cin);
-  std::error_code ignored; // a path that cannot be examined cannot be opened either, and that is reported
-  if (std::filesystem::is_directory(path, ignored))
-    throw Usage_error(shown(path) + ": is a directory; name a job file");
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in)
-    throw Usage_error(shown(path) + ": cannot be read (" + system_reason() +
-                      "); name a job file, or - for standard input");
-  std::string text = locus::read_json_text(in);
-  if (in.bad())
-    throw Usage_error(shown(path) + ": cannot be read (" + system_reason() +
-                      "); name a job file, or - for standard input");
-  return text;
-}
-
-template <class Write>
-void write_output(const std::string& path, Write write)
-{
-  errno = 0;
-  if (path == standard) {
-    write(std::cout);
-    std::cout.flush();
-    if (!std::cout)
-      throw Usage_error("standard output: cannot be written (" + system_reason() + "); name an output file");
-    return;
-  }
-  std::ofstream out(path, std::ios::binary);
-  bool good = out.good();
-  if (good) {
-    write(out);
-    out.close();
-    good = out.good();
-  }
-  if (!good)
-    throw Usage_error(shown(path) + ": cannot be written (" + system_reason() +
-                      "); name a file in a folder that you may write to");
-}
-
-void require_distinct_files(const Settings& settings)
-{
-  const std::string outputs[] = {settings.json, settings.svg, settings.ply, settings.certificate};
-  for (std::size_t i = 0; i < std::size(outputs); ++i) {
-    if (outputs[i].empty()) continue;
-    if (std::count(std::begin(outputs), std::end(outputs), outputs[i]) > 1)
-      throw Usage_error(shown(outputs[i]) + ": named for two outputs; give each its own file");
-    std::error_code absent; // a file that is not there yet is no other file
-    if (settings.job != standard && outputs[i] != standard &&
-        std::filesystem::equivalent(settings.job, outputs[i], absent))
-      throw Usage_error(shown(outputs[i]) + ": is the job itself; name another output file");
-  }
-}
+using namespace locus_cli;
 
 // -------------------------------------------------------------------------------------------------------- the work
 
@@ -161,18 +77,160 @@ locus::Rational tolerance_of(const std::string& text)
   return *value;
 }
 
-std::vector<locus::Curve_2> curves_of(const locus::Job& job)
+/// Shows progress and lets the first interrupt stop the work.
+class Watched_run {
+public:
+  explicit Watched_run(const Settings& settings)
+    : on_terminal_(isatty(STDERR_FILENO) != 0),
+      bar_(std::cerr, on_terminal_ ? Progress_bar::Style::bar : settings.progress ? Progress_bar::Style::lines : Progress_bar::Style::none,
+           settings.progress ? 0.0 : 1.0)
+  {
+    if (settings.max_cells) control.max_cells = *settings.max_cells;
+    control.max_seconds = settings.max_seconds;
+    control.cancel = std::make_shared<std::atomic<bool>>(false);
+    control.progress = [this](std::size_t done, std::size_t open) { bar_.show("cells", done, open); };
+    interrupted = control.cancel.get();
+    std::signal(SIGINT, on_interrupt);
+  }
+  Watched_run(const Watched_run&) = delete;
+  Watched_run& operator=(const Watched_run&) = delete;
+  ~Watched_run() { done(); }
+
+  /// From here on an interrupt ends the program.
+  void done()
+  {
+    std::signal(SIGINT, SIG_DFL);
+    interrupted = nullptr;
+    bar_.clear();
+  }
+
+  /// Progress of what is written; none where a bar on a terminal would run into a result on the same terminal.
+  std::function<void(std::size_t, std::size_t)> on_arc(const std::string& json)
+  {
+    if (json == standard && on_terminal_ && isatty(STDOUT_FILENO) != 0) return {};
+    return [this](std::size_t done, std::size_t open) { bar_.show("arcs", done, open); };
+  }
+  void clear() { bar_.clear(); }
+
+  /// Throws where the time is over, or an interrupt came.
+  locus::Checkpoint checkpoint() const
+  {
+    const auto start = std::chrono::steady_clock::now();
+    return [this, start] {
+      if (control.is_cancelled() || std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > control.max_seconds)
+        throw locus::Stopped();
+    };
+  }
+
+  locus::Solve_control control;
+
+private:
+  bool on_terminal_;
+  Progress_bar bar_;
+};
+
+/// Where the result goes, if anywhere.
+std::string json_file(const Settings& settings)
 {
-  std::vector<locus::Curve_2> curves;
-  for (const locus::Job_input& input : job.inputs) curves.push_back(*input.curve);
-  return curves;
+  if (!settings.json.empty()) return settings.json;
+  for (const std::string& output : settings.outputs())
+    if (output == standard) return "";
+  return standard;
 }
 
-/// Of two curves, or of one with itself.
-locus::Locus<2> bisector_of(const std::vector<locus::Curve_2>& curves, const locus::Bisector_options& options)
+void refuse_outputs(const Settings& settings, bool svg, bool meshes, bool certificate)
 {
-  if (curves.size() == 1) return locus::untrimmed_bisector(curves[0], options);
-  return locus::untrimmed_bisector(curves[0], curves[1], options);
+  if (!svg && !settings.svg.empty()) throw locus::Unsupported_feature("--svg: pictures of what is in space (use --ply, --obj or --vtk)");
+  if (!certificate && !settings.certificate.empty()) throw locus::Unsupported_feature("--certificate: certificates of anything but planar bisectors");
+  const std::pair<const char*, const std::string&> files[] = {{"--ply", settings.ply}, {"--obj", settings.obj}, {"--vtk", settings.vtk}};
+  for (const auto& [name, file] : files)
+    if (!meshes && !file.empty()) throw locus::Unsupported_feature(std::string(name) + ": meshes of anything but surfaces");
+}
+
+int exit_of(locus::Status status) { return status == locus::Status::certified ? answered : something_undecided; }
+
+/// Of two planar curves, or of one with itself.
+int planar_bisector(const Settings& settings, const locus::Job& job, const std::string& text, double tolerance)
+{
+  refuse_outputs(settings, true, false, true);
+  std::vector<locus::Curve_2> curves;
+  for (const locus::Job_input& input : job.inputs) curves.push_back(*input.curve);
+  Watched_run watched(settings);
+  locus::Bisector_options options;
+  options.control = watched.control;
+  options.keep_cells = !settings.svg.empty();
+  options.keep_evidence = !settings.certificate.empty();
+  const locus::Locus<2> result =
+    curves.size() == 1 ? locus::untrimmed_bisector(curves[0], options) : locus::untrimmed_bisector(curves[0], curves[1], options);
+  watched.done();
+  locus::Status status = result.status();
+  const std::string json = json_file(settings);
+  if (!json.empty())
+    write_output(json, [&](std::ostream& out) { status = locus::write_json(out, result, tolerance, watched.on_arc(json), curves); });
+  watched.clear();
+  if (!settings.svg.empty()) write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, result, curves); });
+  if (!settings.certificate.empty())
+    write_output(settings.certificate, [&](std::ostream& out) { locus::write_certificate(out, result, locus::parse_json(text)); });
+  return exit_of(status);
+}
+
+int planar_curvature(const Settings& settings, const locus::Job& job, double tolerance)
+{
+  refuse_outputs(settings, true, false, false);
+  const locus::Curve_2& curve = *job.inputs[0].curve;
+  const locus::Locus<2> evolute = locus::evolute(curve);
+  const auto analysis = locus::analyse_curvature(curve);
+  locus::Status status = locus::Status::certified;
+  if (const std::string json = json_file(settings); !json.empty())
+    write_output(json, [&](std::ostream& out) {
+      if (job.compute == "curvature") locus::write_json(out, analysis);
+      else status = locus::write_json(out, evolute, tolerance);
+    });
+  if (!settings.svg.empty())
+    write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, evolute, {curve}, analysis.points); });
+  return exit_of(status);
+}
+
+int space_curvature(const Settings& settings, const locus::Job& job, double tolerance)
+{
+  refuse_outputs(settings, false, false, false);
+  const locus::Curve_3& curve = *job.inputs[0].space_curve;
+  locus::Status status = locus::Status::certified;
+  write_output(json_file(settings), [&](std::ostream& out) {
+    if (job.compute == "curvature") locus::write_json(out, locus::analyse_curvature(curve));
+    else status = locus::write_json(out, locus::evolute(curve), tolerance);
+  });
+  return exit_of(status);
+}
+
+locus::Exact_point<3> space_point(const locus::Job_input& input) { return {(*input.point)[0], (*input.point)[1], (*input.point)[2]}; }
+
+/// Of inputs in space whose bisector is rational, as `require_supported` lets them through.
+locus::Locus<3> bisector_in_space(const locus::Job_input& a, const locus::Job_input& b, const locus::Mesh_options& options)
+{
+  if (a.point && b.point) return locus::bisector(space_point(a), space_point(b), options);
+  if (!a.point && b.point) return bisector_in_space(b, a, options);
+  if (!a.point) return locus::untrimmed_bisector(*a.space_curve, *b.space_curve, options);
+  if (b.surface) return locus::untrimmed_bisector(space_point(a), *b.surface, options);
+  return locus::untrimmed_bisector(space_point(a), *b.space_curve, options);
+}
+
+int space_bisector(const Settings& settings, const locus::Job& job, double tolerance)
+{
+  refuse_outputs(settings, false, true, false);
+  Watched_run watched(settings);
+  locus::Mesh_options options;
+  options.tolerance = tolerance;
+  if (settings.max_cells) options.max_cells = *settings.max_cells;
+  options.checkpoint = watched.checkpoint();
+  const locus::Locus<3> result = bisector_in_space(job.inputs[0], job.inputs[1], options);
+  watched.done();
+  if (const std::string json = json_file(settings); !json.empty())
+    write_output(json, [&](std::ostream& out) { locus::write_json(out, result, tolerance); });
+  if (!settings.ply.empty()) write_output(settings.ply, [&](std::ostream& out) { locus::write_ply(out, result.sheets()); });
+  if (!settings.obj.empty()) write_output(settings.obj, [&](std::ostream& out) { locus::write_obj(out, result.sheets()); });
+  if (!settings.vtk.empty()) write_output(settings.vtk, [&](std::ostream& out) { locus::write_vtk(out, result.sheets()); });
+  return exit_of(result.status());
 }
 
 int run(const Settings& settings)
@@ -185,47 +243,11 @@ int run(const Settings& settings)
   const std::string text = read_text(settings.job);
   const locus::Job job = locus::read_job(text);
   locus::require_supported(job);
-  if (!settings.ply.empty()) throw locus::Unsupported_feature("--ply: meshes");
-
-  const bool on_terminal = isatty(STDERR_FILENO) != 0;
-  using Style = Progress_bar::Style;
-  Progress_bar bar(std::cerr,
-                   on_terminal         ? Style::bar
-                   : settings.progress ? Style::lines
-                                       : Style::none,
-                   settings.progress ? 0.0 : 1.0);
-  const auto cancel = std::make_shared<std::atomic<bool>>(false);
-  interrupted = cancel.get();
-  std::signal(SIGINT, on_interrupt);
-
-  locus::Bisector_options options;
-  options.control.max_cells = settings.max_cells;
-  options.control.max_seconds = settings.max_seconds;
-  options.control.cancel = cancel;
-  options.control.progress = [&bar](std::size_t done, std::size_t open) { bar.show("cells", done, open); };
-  options.keep_cells = !settings.svg.empty();
-  options.keep_evidence = !settings.certificate.empty();
-  const std::vector<locus::Curve_2> curves = curves_of(job);
-  const locus::Locus<2> result = bisector_of(curves, options);
-  std::signal(SIGINT, SIG_DFL);
-  interrupted = nullptr;
-
-  const double wanted = as_double(tolerance ? *tolerance : job.options.tolerance);
-  const std::string json = !settings.json.empty() ? settings.json : settings.svg == standard ? "" : standard;
-  // A bar on a terminal must not run into a result on the same terminal.
-  std::function<void(std::size_t, std::size_t)> on_arc;
-  if (json != standard || !on_terminal || isatty(STDOUT_FILENO) == 0)
-    on_arc = [&bar](std::size_t done, std::size_t open) { bar.show("arcs", done, open); };
-  else bar.clear();
-  locus::Status status = result.status();
-  if (!json.empty())
-    write_output(json, [&](std::ostream& out) { status = locus::write_json(out, result, wanted, on_arc, curves); });
-  bar.clear();
-  if (!settings.svg.empty())
-    write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, result, curves); });
-  if (!settings.certificate.empty())
-    write_output(settings.certificate, [&](std::ostream& out) { locus::write_certificate(out, result, locus::parse_json(text)); });
-  return status == locus::Status::certified ? answered : something_undecided;
+  if (!tolerance && job.options.has_tolerance) tolerance = job.options.tolerance;
+  const bool planar = job.inputs[0].dimension == 2;
+  const double wanted = tolerance ? as_double(*tolerance) : planar || job.compute != "bisector" ? 1e-6 : locus::Mesh_options().tolerance;
+  if (job.compute != "bisector") return planar ? planar_curvature(settings, job, wanted) : space_curvature(settings, job, wanted);
+  return planar ? planar_bisector(settings, job, text, wanted) : space_bisector(settings, job, wanted);
 }
 
 std::string counted(std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }
@@ -252,6 +274,8 @@ A job is a JSON object, for example
               {"curve": {"degree": 1, "control_points": [[0,3],[2,2.5]], "weights": [1,2]}}],
    "options": {"trimmed": false, "tolerance": 1e-6}}
 Numbers are read exactly: 0.1 is 1/10; strings hold decimals or fractions. One curve alone: its self-bisector.
+"compute" may also be "curvature" or "evolute", of one curve. Points have two or three coordinates; in space bisectors are
+those of points, of a point and a curve or a surface, and of two curves.
 
 Exit status: 0 answered; 1 answered, but something is undecided (the result says what); 2 the job is invalid;
 3 internal error; 4 valid, but a feature that this version does not have yet.)";
@@ -260,7 +284,7 @@ Exit status: 0 answered; 1 answered, but something is undecided (the result says
 
 int main(int argc, char** argv)
 {
-  CLI::App app("locus: certified bisectors of rational curves. Reads a job, writes the result as JSON.", "locus");
+  CLI::App app("locus: certified bisectors and curvature of rational curves. Reads a job, writes the result as JSON.", "locus");
   Settings settings;
   std::string certificate_to_check;
   app.set_version_flag("--version", "locus " LOCUS_VERSION, "print the version");
@@ -269,10 +293,12 @@ int main(int argc, char** argv)
   app.add_option("--svg", settings.svg, "where a picture goes; - for standard output, instead of the result")
     ->option_text("OUT");
   app.add_option("--ply", settings.ply, "where a mesh goes (surfaces)")->option_text("OUT");
+  app.add_option("--obj", settings.obj, "the same as OBJ")->option_text("OUT");
+  app.add_option("--vtk", settings.vtk, "the same as VTK, with parameters and radius")->option_text("OUT");
   app.add_option("--certificate", settings.certificate, "where the proof goes")->option_text("OUT");
   app
     .add_option("--tolerance", settings.tolerance,
-                "greatest distance between polyline and locus, as a part of the inputs' diameter; wins over the job's")
+                "greatest distance between polyline or mesh and locus, as a part of the inputs' diameter; wins over the job's")
     ->option_text("E");
   app.add_option("--max-cells", settings.max_cells, "examine at most so many cells")
     ->option_text("N")

@@ -2,9 +2,10 @@
 #ifndef LOCUS_CURVATURE_H
 #define LOCUS_CURVATURE_H
 
-// Curvature of plane curves: where it is extremal or jumps, with the centres of curvature there.
+// Curvature of curves in the plane and in space: where it is extremal, jumps or vanishes, where the torsion vanishes, and the
+// osculating circle.
 
-#include <locus/construct/curvature_extrema_2.h>
+#include <locus/construct/curvature_points.h>
 #include <locus/shape/constructors_2.h>
 
 #endif

@@ -171,7 +171,7 @@ inline Rational squared_speed(const Planar_curve& c, int end)
   if (w == 0) return 0;
   Rational sum = 0;
   for (std::size_t v = 0; v < 2; ++v) {
-    const Rational d = value(first_derivative_numerator(c.numerator(v), c.weight()));
+    const Rational d = value(velocity_numerator(c.numerator(v), c.weight()));
     sum += d * d;
   }
   return Rational(sum / (w * w * w * w));

@@ -4,7 +4,8 @@
 
 #include <locus/function/complex_polynomial.h>
 #include <locus/shape/carrier.h>
-#include <locus/shape/frame.h>
+#include <locus/shape/framed.h>
+#include <locus/shape/velocity.h>
 
 #include <mutex>
 
@@ -21,23 +22,6 @@ struct Complex_curve {
   T squared_radius = T(0);
 };
 
-namespace detail {
-
-/// D1 = p'w - pw' of a rational curve at its true degree 2d-2: with p = Σ b_i B_i and the shifted and the truncated
-/// control points P⁺ = (b_1…b_d), P⁻ = (b_0…b_{d-1}) in degree d-1, Euler's relation gives D1 = d·(P⁺W⁻ - P⁻W⁺).
-inline Bernstein<Rational, 1> first_derivative_numerator(const Bernstein<Rational, 1>& p, const Bernstein<Rational, 1>& w)
-{
-  if (w.degree() == 0) return multiply(derivative(p), Rational(w[0]));
-  const auto part = [](const Bernstein<Rational, 1>& f, std::size_t first) {
-    const auto n = static_cast<std::size_t>(f.degree());
-    const auto begin = f.coefficients().begin() + static_cast<std::ptrdiff_t>(first);
-    return Bernstein<Rational, 1>(Degrees<1>{f.degree() - 1}, {begin, begin + static_cast<std::ptrdiff_t>(n)});
-  };
-  return multiply(subtract(multiply(part(p, 1), part(w, 0)), multiply(part(p, 0), part(w, 1))), Rational(w.degree()));
-}
-
-} // namespace detail
-
 /// A planar curve piece in frame coordinates with everything the constraints are built from: exact, as integers and
 /// as enclosures. Immutable after construction.
 class Planar_curve {
@@ -45,10 +29,10 @@ public:
   /// Throws Unsupported_feature for a cusp inside the piece.
   Planar_curve(const Curve_piece<2>& original, const Frame<2>& frame) : carrier_(carrier_of(original))
   {
-    const Curve_piece<2> piece = in_frame(original, frame);
+    const Curve_piece<2> piece = detail::in_frame(original, frame);
     numerator_ = piece.numerator;
     weight_ = piece.weight;
-    for (std::size_t v = 0; v < 2; ++v) tangent_[v] = detail::first_derivative_numerator(numerator_[v], weight_);
+    for (std::size_t v = 0; v < 2; ++v) tangent_[v] = detail::velocity_numerator(numerator_[v], weight_);
     regularise_tangent();
     if (carrier_.kind == Carrier::Kind::circle) {
       for (std::size_t v = 0; v < 2; ++v) carrier_.centre[v] = frame.into(carrier_.centre[v], v);
@@ -64,6 +48,7 @@ public:
   }
 
   const Carrier& carrier() const { return carrier_; }
+  Curve_piece<2> piece() const { return {numerator_, weight_}; } ///< in frame coordinates
   const Bernstein<Rational, 1>& numerator(std::size_t axis) const { return numerator_[axis]; }
   const Bernstein<Rational, 1>& weight() const { return weight_; }
   const Bernstein<Rational, 1>& tangent(std::size_t axis) const { return tangent_[axis]; }
@@ -184,19 +169,6 @@ private:
   static Complex_polynomial<T> shifted(const Complex_polynomial<T>& p, const Complex_polynomial<T>& w, const T& x, const T& y)
   {
     return combine(p, multiply(w, x, y), -1);
-  }
-
-  static Curve_piece<2> in_frame(Curve_piece<2> piece, const Frame<2>& frame)
-  {
-    for (std::size_t v = 0; v < 2; ++v) {
-      Bernstein<Rational, 1>& x = piece.numerator[v];
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        x[i] -= frame.origin[v] * piece.weight[piece.is_polynomial() ? 0 : i];
-        if (frame.exponent >= 0) mpq_div_2exp(x[i].get_mpq_t(), x[i].get_mpq_t(), static_cast<mp_bitcnt_t>(frame.exponent));
-        else mpq_mul_2exp(x[i].get_mpq_t(), x[i].get_mpq_t(), static_cast<mp_bitcnt_t>(-frame.exponent));
-      }
-    }
-    return piece;
   }
 
   /// F3 depends on the tangent lines only, so real zeros of D1 are divided out: at an end (a doubled control point)

@@ -2,7 +2,10 @@
 #ifndef LOCUS_CONSTRUCT_LOCUS_H
 #define LOCUS_CONSTRUCT_LOCUS_H
 
+#include <locus/construct/approximate_point.h>
+#include <locus/construct/sheet.h>
 #include <locus/number/filter_counts.h>
+#include <locus/shape/rational_map.h>
 
 #include <array>
 #include <cmath>
@@ -16,27 +19,6 @@
 #include <vector>
 
 namespace locus {
-
-/// A closed range of doubles that contains an exact value.
-struct Range {
-  double lo = 0, hi = 0;
-};
-
-/// A point of the plane or of space, in doubles; how far it may be from the exact one is said where it is given.
-template <int Dim>
-struct Approximate_point {
-  std::array<double, static_cast<std::size_t>(Dim)> coordinates{};
-
-  double operator[](std::size_t k) const { return coordinates[k]; }
-  double& operator[](std::size_t k) { return coordinates[k]; }
-};
-
-template <int Dim>
-std::ostream& operator<<(std::ostream& out, const Approximate_point<Dim>& p)
-{
-  for (std::size_t k = 0; k < p.coordinates.size(); ++k) out << (k ? " " : "") << p[k];
-  return out;
-}
 
 /// The part of an input on which a foot lies.
 enum class Feature : unsigned char { point, interior, start, end, corner };
@@ -271,6 +253,9 @@ struct Locus_data {
   bool trimmed = false;
   std::vector<Locus_vertex<Dim>> vertices;
   std::vector<Arc<Dim>> arcs;
+  std::vector<Sheet> sheets;
+  std::optional<Rational_map<Dim, 1>> rational_curve;
+  std::optional<Rational_map<Dim, 2>> rational_surface;
   std::vector<Region> regions;
   std::vector<Degenerate_piece> degenerate;
   std::vector<Undecided_piece> undecided;
@@ -295,6 +280,11 @@ public:
   bool is_trimmed() const { return data_.trimmed; }
   const std::vector<Locus_vertex<Dim>>& vertices() const { return data_.vertices; }
   const std::vector<Arc<Dim>>& arcs() const { return data_.arcs; }
+  /// The surfaces of a locus in space, as meshes.
+  const std::vector<Sheet>& sheets() const { return data_.sheets; }
+  /// The exact curve or surface, where the locus is rational; its parts at infinity included.
+  const std::optional<Rational_map<Dim, 1>>& rational_curve() const { return data_.rational_curve; }
+  const std::optional<Rational_map<Dim, 2>>& rational_surface() const { return data_.rational_surface; }
   const std::vector<Region>& regions() const { return data_.regions; }
   const std::vector<Degenerate_piece>& degenerate() const { return data_.degenerate; }
   const std::vector<Undecided_piece>& undecided() const { return data_.undecided; }
@@ -309,7 +299,7 @@ public:
   /// Arcs to infinity are drawn up to this distance from `centre()`, the middle of the inputs' bounding box.
   double cut_radius() const { return data_.cut_radius; }
   const Approximate_point<Dim>& centre() const { return data_.centre; }
-  /// Number of connected components, as joined by common vertices.
+  /// Number of connected components, of arcs as joined by common vertices; each sheet is one.
   std::size_t components() const;
 
 private:
@@ -335,7 +325,7 @@ std::size_t Locus<Dim>::components() const
     used[*arc.source()] = used[*arc.target()] = 1;
     parent[find(*arc.source())] = find(*arc.target());
   }
-  std::size_t n = closed;
+  std::size_t n = closed + data_.sheets.size();
   for (std::size_t i = 0; i < parent.size(); ++i)
     n += find(i) == i && (used[i] || data_.vertices[i].kind == Vertex_kind::isolated);
   return n;

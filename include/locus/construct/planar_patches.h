@@ -2,7 +2,7 @@
 #ifndef LOCUS_CONSTRUCT_PLANAR_PATCHES_H
 #define LOCUS_CONSTRUCT_PLANAR_PATCHES_H
 
-#include <locus/constraint/curvature_2.h>
+#include <locus/constraint/curvature_forms.h>
 #include <locus/constraint/f3_system.h>
 #include <locus/construct/planar_evidence.h>
 #include <locus/construct/planar_pieces.h>
@@ -97,7 +97,7 @@ struct Corner_contact {
   {
     if (p.is_singular_at(end[0]) || q.is_singular_at(end[1])) return;
     is_regular = true;
-    auto a = Curvature_forms(p).at(end[0]), b = Curvature_forms(q).at(end[1]);
+    auto a = Curvature_forms<2>(p.piece()).at(end[0]), b = Curvature_forms<2>(q.piece()).at(end[1]);
     const Piece_end x(p, end[0]), y(q, end[1]);
     direction = sgn(Rational(x.tangent[0] * y.tangent[0] + x.tangent[1] * y.tangent[1]));
     if (direction < 0) b.sign = -b.sign;

@@ -4,6 +4,7 @@
 
 #include <locus/constraint/f3_factors.h>
 #include <locus/constraint/span_bound.h>
+#include <locus/construct/extent.h>
 #include <locus/construct/planar_solution.h>
 #include <locus/function/diagonal.h>
 #include <locus/function/rational_root.h>
@@ -208,33 +209,12 @@ inline std::optional<Necessary_cut> necessary_cut(const Planar_pieces& first, co
   return std::nullopt;
 }
 
-/// Corners of the inputs' control polygons: the frame and the scale are taken from them.
-inline void collect_control_points(const Curve_2& curve, std::vector<Exact_point<2>>& points)
-{
-  for (const auto& piece : curve.pieces())
-    for (std::size_t i = 0; i < piece.numerator[0].size(); ++i) {
-      const Rational w = piece.is_polynomial() ? piece.weight[0] : i < piece.weight.size() ? piece.weight[i] : Rational(0);
-      if (w == 0) continue;
-      points.push_back({Rational(piece.numerator[0][i] / w), Rational(piece.numerator[1][i] / w)});
-    }
-}
-
 inline void measure_inputs(const std::vector<Exact_point<2>>& points, Planar_solution& solution)
 {
-  std::array<Interval, 2> extent, middle;
-  for (std::size_t k = 0; k < 2; ++k) {
-    Interval lo(0), hi(0);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Interval x = enclosing(solution.frame.into(points[i][k], k));
-      lo = i == 0 ? x : Interval(std::min(lo.inf(), x.inf()), std::min(lo.sup(), x.sup()));
-      hi = i == 0 ? x : Interval(std::max(hi.inf(), x.inf()), std::max(hi.sup(), x.sup()));
-    }
-    extent[k] = hi - lo;
-    middle[k] = hull(lo, hi);
-  }
-  solution.scale = std::hypot(midpoint(extent[0]), midpoint(extent[1]));
-  solution.cut_radius = 10 * solution.scale;
-  solution.centre = {midpoint(middle[0]), midpoint(middle[1])};
+  const Extent<2> extent = extent_in<2>(solution.frame, points);
+  solution.scale = extent.scale;
+  solution.cut_radius = cut_factor * solution.scale;
+  solution.centre = {extent.centre[0], extent.centre[1]};
 }
 
 } // namespace detail

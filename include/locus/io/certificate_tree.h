@@ -97,7 +97,7 @@ inline std::vector<std::vector<Integer>> tangent_powers(const Planar_curve& c)
   const Rational half(1, 2);
   Rational along = 0;
   for (std::size_t v = 0; v < 2; ++v)
-    along += evaluate_at(first_derivative_numerator(c.numerator(v), c.weight()), half) * evaluate_at(c.tangent(v), half);
+    along += evaluate_at(velocity_numerator(c.numerator(v), c.weight()), half) * evaluate_at(c.tangent(v), half);
   std::vector<std::vector<Integer>> powers = cleared({to_monomial(c.tangent(0)), to_monomial(c.tangent(1))});
   if (along < 0)
     for (auto& f : powers)

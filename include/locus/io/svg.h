@@ -50,6 +50,10 @@ public:
   {
     return [kind](std::ostream& out, const Picture_point& p) { svg_vertex(out, {p.x + 12, p.y}, kind, component_colour(0)); };
   }
+  static Symbol curvature_point(Curvature_event kind)
+  {
+    return [kind](std::ostream& out, const Picture_point& p) { svg_curvature_point(out, {p.x + 12, p.y}, kind); };
+  }
   static Symbol joint(bool corner)
   {
     return [corner](std::ostream& out, const Picture_point& p) {
@@ -69,8 +73,9 @@ private:
 /// A locus in the plane on the left, its parameters on the right, a legend below.
 class Bisector_picture {
 public:
-  Bisector_picture(std::ostream& out, const Locus<2>& locus, const std::vector<Curve_2>& inputs)
-    : out_(out), locus_(locus), scene_(locus, inputs), square_(parameter_square(scene_)),
+  Bisector_picture(std::ostream& out, const Locus<2>& locus, const std::vector<Curve_2>& inputs,
+                   std::vector<Curvature_point<2>> marks)
+    : out_(out), locus_(locus), scene_(locus, inputs, std::move(marks)), square_(parameter_square(scene_)),
       has_purged_pair_(has_purged_pair(scene_, square_))
   {
   }
@@ -104,10 +109,13 @@ public:
 private:
   std::string title() const
   {
+    if (is_evolute()) return scene_.marks.empty() ? "Evolute of a curve" : "Curvature of a curve, with its evolute";
     const std::string name = (locus_.is_trimmed() ? "True " : "Untrimmed ") + locus_.compute();
     if (scene_.is_self) return name + " of a curve with itself";
     return name + (scene_.curves.size() == 2 ? " of two curves" : "");
   }
+
+  bool is_evolute() const { return locus_.compute() == "evolute"; }
 
   static std::string counted(std::size_t n, const std::string& noun)
   {
@@ -124,10 +132,29 @@ private:
     for (const Locus_vertex<2>& v : locus_.vertices()) nodes += v.kind == Vertex_kind::node;
     if (nodes > 0) text += " · " + counted(nodes, "node");
     if (!locus_.degenerate().empty()) text += " · " + counted(locus_.degenerate().size(), "degenerate piece");
-    text += " · " + counted(locus_.statistics().cells, "cell");
+    for (const Mark_name& mark : mark_names()) {
+      const auto n = std::count_if(scene_.marks.begin(), scene_.marks.end(), [&](const auto& p) { return p.kind == mark.kind; });
+      if (n > 0) text += " · " + std::to_string(n) + " " + (n == 1 ? mark.short_name : mark.plural);
+    }
+    if (!is_evolute()) text += " · " + counted(locus_.statistics().cells, "cell");
     if (locus_.statistics().exact_cells > 0)
       text += ", " + std::to_string(locus_.statistics().exact_cells) + " of them exact";
     return text + " · " + label_of(1e3 * locus_.statistics().seconds, 2) + " ms";
+  }
+
+  struct Mark_name {
+    Curvature_event kind;
+    const char *name, *short_name, *plural;
+  };
+  static std::vector<Mark_name> mark_names()
+  {
+    using Event = Curvature_event;
+    return {{Event::extremum, "extremum of the curvature", "extremum", "extrema"},
+            {Event::kink, "kink of the curvature", "kink", "kinks"},
+            {Event::jump, "jump of the curvature", "jump", "jumps"},
+            {Event::stationary, "curvature stationary", "stationary point", "stationary points"},
+            {Event::inflection, "inflection", "inflection", "inflections"},
+            {Event::cusp, "cusp of the curve", "cusp", "cusps"}};
   }
 
   void definitions(const Panel& plane, const Panel& square)
@@ -172,6 +199,8 @@ private:
       key.add(count == 1 ? locus_.compute() : locus_.compute() + ", component " + std::to_string(c + 1),
               Picture_legend::line(stroke(component_colour(c), 2.5)));
     if (count > shown) key.add("… of " + std::to_string(count), Picture_legend::nothing());
+    for (const auto& mark : mark_names())
+      if (scene_.has_mark(mark.kind)) key.add(mark.name, Picture_legend::curvature_point(mark.kind));
     if (scene_.foot_curve(1) && !scene_.arcs.empty()) key.add("to the feet", Picture_legend::line(stroke(picture::foot, 0.9)));
     if (std::any_of(locus_.vertices().begin(), locus_.vertices().end(),
                     [](const Locus_vertex<2>& v) { return v.asymptote.has_value(); }))
@@ -225,17 +254,20 @@ private:
 /// Draws a locus of the plane: on the left the plane, near the inputs; on the right the square of the parameters t and r,
 /// with the cells of the subdivision if the result keeps them (`Bisector_options::keep_cells`), of a curve with itself only
 /// the half t ≥ r. Where an input's domain is infinite, each of its pieces is one unit of the square. Connected components
-/// have one colour each. Given the input curves, they and lines to the feet are drawn too.
-inline void write_svg(std::ostream& out, const Locus<2>& locus, const std::vector<Curve_2>& inputs = {})
+/// have one colour each. Given the input curves, they and lines to the feet are drawn too. Of an evolute there is the plane
+/// only; points of the curve's curvature may be marked.
+inline void write_svg(std::ostream& out, const Locus<2>& locus, const std::vector<Curve_2>& inputs = {},
+                      const std::vector<Curvature_point<2>>& marks = {})
 {
-  detail::Bisector_picture(out, locus, inputs).write();
+  detail::Bisector_picture(out, locus, inputs, marks).write();
 }
 
 /// The same into a file. Throws std::runtime_error if it cannot be written.
-inline void write_svg(const std::string& path, const Locus<2>& locus, const std::vector<Curve_2>& inputs = {})
+inline void write_svg(const std::string& path, const Locus<2>& locus, const std::vector<Curve_2>& inputs = {},
+                      const std::vector<Curvature_point<2>>& marks = {})
 {
   std::ofstream out(path, std::ios::binary);
-  if (out) write_svg(out, locus, inputs);
+  if (out) write_svg(out, locus, inputs, marks);
   out.close();
   if (!out) throw std::runtime_error("cannot write " + path);
 }

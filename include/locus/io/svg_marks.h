@@ -2,6 +2,7 @@
 #ifndef LOCUS_IO_SVG_MARKS_H
 #define LOCUS_IO_SVG_MARKS_H
 
+#include <locus/construct/curvature_points.h>
 #include <locus/construct/locus.h>
 #include <locus/io/svg_elements.h>
 
@@ -45,6 +46,31 @@ inline void svg_vertex(std::ostream& out, const Picture_point& at, Vertex_kind k
   case Vertex_kind::boundary:
   case Vertex_kind::trim:
     svg_circle(out, at, 3.2, ring);
+    break;
+  }
+}
+
+/// The mark of a point of a curve's curvature, after Figure 1 of Chen, Riesenfeld & Cohen.
+inline void svg_curvature_point(std::ostream& out, const Picture_point& at, Curvature_event kind)
+{
+  const auto style = [](const char* colour) { return filled(colour, "#ffffff", 1.2); };
+  switch (kind) {
+  case Curvature_event::extremum:
+    svg_circle(out, at, 5, style(picture::alarm));
+    break;
+  case Curvature_event::kink:
+  case Curvature_event::jump:
+    svg_circle(out, at, 5, filled("#ffffff", picture::alarm, 2.2));
+    break;
+  case Curvature_event::stationary:
+    svg_shape(out, at, {{-4.2, -4.2}, {4.2, -4.2}, {4.2, 4.2}, {-4.2, 4.2}}, style(picture::alarm));
+    break;
+  case Curvature_event::inflection:
+    svg_shape(out, at, {{0, -6}, {6, 0}, {0, 6}, {-6, 0}}, style(picture::degenerate));
+    break;
+  case Curvature_event::torsion_zero:
+  case Curvature_event::cusp:
+    svg_shape(out, at, {{0, -6}, {5.4, 4}, {-5.4, 4}}, style(picture::ink));
     break;
   }
 }

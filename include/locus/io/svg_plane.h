@@ -22,7 +22,7 @@ inline Picture_box plane_box(const Picture_scene& scene, double aspect)
     box.add({r, r});
   }
   Picture_box limit = box;
-  limit.grow(0.6 * box.size());
+  limit.grow((scene.locus.compute() == "evolute" ? 0.3 : 0.6) * box.size());
   for (const Picture_scene::Drawn_arc& arc : scene.arcs)
     for (std::size_t i = 1; i < arc.plane.size(); ++i) {
       Picture_point p = arc.plane[i - 1], q = arc.plane[i];
@@ -51,6 +51,7 @@ public:
     for (std::size_t a = 0; a < scene_.arcs.size(); ++a)
       svg_path(out_, panel_.path(scene_.arcs[a].plane), stroke(component_colour(scene_.components.of_arc[a]), 2.5));
     write_vertices();
+    write_marks();
     out_ << "</g>\n";
     for (std::size_t k = 0; k < scene_.curves.size(); ++k) write_ends(k);
     svg_frame(out_, panel_);
@@ -129,6 +130,17 @@ private:
       const Picture_point p = scene_.placed(*vertex.point);
       if (panel_.box().contains(p)) svg_vertex(out_, panel_.at(p), vertex.kind, component_colour(scene_.components.of_vertex[v]));
     }
+  }
+
+  /// Marked points of the first input, joined with their centres of curvature where those can be seen.
+  void write_marks()
+  {
+    std::string d;
+    for (const Curvature_point<2>& p : scene_.marks)
+      if (p.centre) d += panel_.path({scene_.placed(p.point), scene_.placed(*p.centre)});
+    svg_path(out_, d, stroke(picture::foot, 1, picture::dashes));
+    for (const Curvature_point<2>& p : scene_.marks)
+      if (panel_.box().contains(scene_.placed(p.point))) svg_curvature_point(out_, panel_.at(scene_.placed(p.point)), p.kind);
   }
 
   // ------------------------------------------------------------------------------------------------ ends of the inputs

@@ -2,6 +2,7 @@
 #ifndef LOCUS_IO_SVG_SCENE_H
 #define LOCUS_IO_SVG_SCENE_H
 
+#include <locus/construct/curvature_points.h>
 #include <locus/construct/locus.h>
 #include <locus/io/svg_curve.h>
 
@@ -51,14 +52,16 @@ struct Picture_scene {
     std::vector<Arc_point<2>> samples;
   };
 
-  Picture_scene(const Locus<2>& of, const std::vector<Curve_2>& inputs) : locus(of), components(component_numbers(of))
+  Picture_scene(const Locus<2>& of, const std::vector<Curve_2>& inputs, std::vector<Curvature_point<2>> marked)
+    : locus(of), components(component_numbers(of)), marks(std::move(marked))
   {
     for (std::size_t k = 0; k < 2; ++k) centre[k] = std::isfinite(of.centre()[k]) ? of.centre()[k] : 0.0;
     for (const Curve_2& curve : inputs)
       curves.emplace_back(curve, std::array<Rational, 2>{exact_rational(centre[0]), exact_rational(centre[1])});
-    has_parameters =
-      std::all_of(of.arcs().begin(), of.arcs().end(), [](const Arc<2>& a) { return a.inputs().size() == 2; });
-    is_self = of.arcs().empty() ? inputs.size() == 1 : has_parameters && of.arcs()[0].inputs()[0] == of.arcs()[0].inputs()[1];
+    // Of one curve and its evolute there is no square of parameters.
+    has_parameters = of.compute() != "evolute" &&
+                     std::all_of(of.arcs().begin(), of.arcs().end(), [](const Arc<2>& a) { return a.inputs().size() == 2; });
+    is_self = of.compute() == "evolute" ? false : of.arcs().empty() ? inputs.size() == 1 : has_parameters && of.arcs()[0].inputs()[0] == of.arcs()[0].inputs()[1];
     for (const Arc<2>& arc : of.arcs()) arcs.push_back(draw(arc));
   }
 
@@ -83,6 +86,10 @@ struct Picture_scene {
   {
     return std::any_of(locus.cells().begin(), locus.cells().end(), [claim](const Cell_picture& c) { return c.claim == claim; });
   }
+  bool has_mark(Curvature_event kind) const
+  {
+    return std::any_of(marks.begin(), marks.end(), [kind](const Curvature_point<2>& p) { return p.kind == kind; });
+  }
   bool has_joint(bool corner) const
   {
     for (const Pictured_curve& curve : curves)
@@ -93,6 +100,7 @@ struct Picture_scene {
 
   const Locus<2>& locus;
   Component_numbers components;
+  std::vector<Curvature_point<2>> marks; ///< on the first input
   std::array<double, 2> centre{};
   std::vector<Pictured_curve> curves;
   bool has_parameters = true, is_self = false;

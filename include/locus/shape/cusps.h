@@ -4,17 +4,11 @@
 
 #include <locus/function/rational_root.h>
 #include <locus/shape/joints.h>
+#include <locus/shape/velocity.h>
 
 namespace locus {
 
 namespace detail {
-
-/// p'w - pw', by whose zeros the point stands still.
-inline Bernstein<Rational, 1> velocity_numerator(const Bernstein<Rational, 1>& p, const Bernstein<Rational, 1>& w)
-{
-  if (w.degree() == 0) return multiply(derivative(p), Rational(w[0]));
-  return subtract(multiply(derivative(p), w), multiply(p, derivative(w)));
-}
 
 /// The common factor of the coordinates of p'w - pw', as a polynomial in the local coordinate.
 template <int Dim>

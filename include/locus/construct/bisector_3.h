@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRUCT_BISECTOR_3_H
+#define LOCUS_CONSTRUCT_BISECTOR_3_H
+
+#include <locus/construct/bisector_maps_3.h>
+#include <locus/construct/plane_cylinder.h>
+#include <locus/construct/rational_path.h>
+#include <locus/construct/rational_sheets.h>
+
+#include <chrono>
+
+namespace locus {
+
+namespace detail {
+
+/// Where a foot lies, for the distance to it.
+class Foot_curve {
+public:
+  explicit Foot_curve(const Rational_curve<3>& curve)
+  {
+    for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
+      pieces_.emplace_back(curve.pieces()[i].numerator, curve.pieces()[i].weight);
+      ranges_.emplace_back(curve.chain().pieces[i]);
+    }
+  }
+
+  double parameter(std::size_t piece, double s) const
+  {
+    const Range r = ranges_[piece].at(Interval(s));
+    return std::isinf(r.hi) ? r.hi : std::isinf(r.lo) ? r.lo : r.lo + 0.5 * (r.hi - r.lo);
+  }
+  double distance(std::size_t piece, double s, const Approximate_point<3>& from) const
+  {
+    double square = 0;
+    const auto p = pieces_[piece].at(Interval(s));
+    for (std::size_t k = 0; k < 3; ++k) square += (midpoint(p[k]) - from[k]) * (midpoint(p[k]) - from[k]);
+    return std::sqrt(square);
+  }
+
+private:
+  std::vector<Map_evaluator<3>> pieces_;
+  std::vector<Parameter_range> ranges_;
+};
+
+/// What all bisectors in space share: extents of the inputs and the result being filled.
+class Bisector_3_maker {
+public:
+  Bisector_3_maker(const std::vector<Exact_point<3>>& points, const Mesh_options& options)
+    : options_(options), start_(std::chrono::steady_clock::now())
+  {
+    const Frame<3> frame = fitting_frame<3>(points);
+    const Extent<3> extent = extent_in<3>(frame, points);
+    scale_ = exact_rational(frame.length(Interval(extent.scale)).sup());
+    if (scale_ == 0) scale_ = 1;
+    for (std::size_t k = 0; k < 3; ++k) centre_[k] = exact_rational(midpoint(frame.out_of(Interval(extent.centre[k]), k)));
+    data_.scale = nearest_double(scale_);
+    data_.cut_radius = cut_factor * data_.scale;
+    for (std::size_t k = 0; k < 3; ++k) data_.centre[k] = nearest_double(centre_[k]);
+    data_.compute = "bisector";
+  }
+
+  Locus_data<3>& data() { return data_; }
+  const Rational& scale() const { return scale_; }
+  const Mesh_options& options() const { return options_; }
+
+  /// The inputs' surroundings, for charts over a coordinate.
+  Coordinate_ranges surroundings() const
+  {
+    Coordinate_ranges ranges;
+    for (std::size_t k = 0; k < 3; ++k) ranges[k] = {Rational(centre_[k] - scale_), Rational(centre_[k] + scale_)};
+    return ranges;
+  }
+
+  using Describe = std::function<Vertex_description(std::size_t, double, double, const Approximate_point<3>&)>;
+
+  void draw(const Rational_map<3, 2>& map, const std::array<std::size_t, 2>& grid, const std::array<bool, 2>& closed, Describe describe)
+  {
+    Sheet_options o;
+    o.centre = data_.centre;
+    o.cut_radius = data_.cut_radius;
+    o.tolerance = options_.tolerance * data_.scale;
+    o.max_cells = options_.max_cells;
+    o.grid = grid;
+    o.closed = closed;
+    o.describe = std::move(describe);
+    o.checkpoint = options_.checkpoint;
+    Sheets drawn = rational_sheets(map, o);
+    for (Sheet& s : drawn.sheets) data_.sheets.push_back(std::move(s));
+    for (Undecided_piece& u : drawn.undecided) data_.undecided.push_back(std::move(u));
+    data_.statistics.cells += drawn.cells;
+  }
+
+  void note(const char* kind, const std::vector<Range>& box, const std::string& reason)
+  {
+    Degenerate_piece d;
+    d.kind = kind;
+    d.box = box;
+    d.reason = reason;
+    data_.degenerate.push_back(std::move(d));
+  }
+
+  Locus<3> finish(const Degrees<2>& degrees, std::optional<Rational_map<3, 2>> rational)
+  {
+    data_.equations.push_back({"bisector surface", {degrees[0], degrees[1]}});
+    if (rational && !rational->pieces().empty()) data_.rational_surface = std::move(rational);
+    data_.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return Locus<3>(std::move(data_));
+  }
+
+private:
+  Mesh_options options_;
+  std::chrono::steady_clock::time_point start_;
+  Rational scale_ = 1;
+  Exact_point<3> centre_;
+  Locus_data<3> data_;
+};
+
+inline std::vector<Range> whole_range(const Piece& piece)
+{
+  const Parameter_range range(piece);
+  return {{range.at(Interval(0)).lo, range.at(Interval(1)).hi}};
+}
+
+/// A factor λ such that λ·|generator| ≥ reach·|weight| on all of a piece: rulings go that far. Doubled until Bernstein
+/// coefficients prove it, which they do in the end, since the generator has no zero.
+inline Rational ruling_reach(const Ruled_forms& forms, const Rational& reach)
+{
+  using namespace operators;
+  const Bernstein<Rational, 1> length2 = square(forms.generator), wanted = multiply(forms.weight * forms.weight, Rational(reach * reach));
+  // Where the squared length has coefficients that are not positive, raising its degree makes them so.
+  const Bernstein<Rational, 1> raised = elevate(length2, 0, 32);
+  for (Rational factor = 1;; factor *= 2) {
+    const Bernstein<Rational, 1> excess = subtract(multiply(raised, Rational(factor * factor)), wanted);
+    if (std::all_of(excess.coefficients().begin(), excess.coefficients().end(), [](const Rational& c) { return c > 0; })) return factor;
+    if (mpz_sizeinbase(factor.get_num_mpz_t(), 2) > 400) return factor; // only drawing asks: shorter rulings are still right
+  }
+}
+
+} // namespace detail
+
+/// The plane of points at equal distance from two points, drawn up to the cut radius. Throws Invalid_input for one point twice.
+inline Locus<3> bisector(const Exact_point<3>& a, const Exact_point<3>& b, const Mesh_options& options = {})
+{
+  if (a == b) throw Invalid_input("", "both points are the same, so all points are equally far from them", "give two different points");
+  return with_upward_rounding([&] {
+    detail::Bisector_3_maker maker({a, b}, options);
+    const Rational_map<3, 2> map = point_point_bisector_map(a, b, Rational(maker.scale() * 12));
+    Approximate_point<3> foot;
+    for (std::size_t k = 0; k < 3; ++k) foot[k] = nearest_double(a[k]);
+    maker.draw(map, {1, 1}, {false, false}, [foot](std::size_t, double, double, const Approximate_point<3>& p) {
+      return Vertex_description{{}, detail::distance_from(p, foot)};
+    });
+    return maker.finish(map.degrees(), map);
+  });
+}
+
+/// All points at equal distance from a point and from a foot on a curve, in the foot's normal plane: a ruled surface. The exact
+/// result (`Locus::rational_surface`) is that of the direct approach, in charts over coordinates; the drawn one follows the
+/// rulings from their points next to the given point.
+inline Locus<3> untrimmed_bisector(const Exact_point<3>& point, const Rational_curve<3>& curve, const Mesh_options& options = {})
+{
+  return with_upward_rounding([&] {
+    std::vector<Exact_point<3>> points{point};
+    detail::collect_control_points(curve, points);
+    detail::Bisector_3_maker maker(points, options);
+    std::vector<Rational_map_piece<3, 2>> charts;
+    Degrees<2> degrees{};
+    for (const Ruled_chart& chart : point_curve_bisector_charts(point, curve, maker.surroundings())) {
+      degrees = detail::max_degrees<2>(degrees, chart.map.degrees());
+      charts.push_back(chart.map);
+    }
+    std::vector<Rational_map_piece<3, 2>> drawn;
+    std::vector<std::size_t> source;
+    for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
+      const Plane_pencil planes = detail::point_curve_planes(detail::seen_from(curve.pieces()[i], point));
+      if (planes.is_degenerate()) {
+        maker.note("plane", detail::whole_range(curve.chain().pieces[i]),
+                   "the piece lies on a line through the point: only where it passes through the point, its normal plane is equidistant");
+        continue;
+      }
+      const detail::Ruled_forms forms = planes.forms_by_directrix();
+      const Rational reach = detail::ruling_reach(forms, Rational(maker.scale() * 24));
+      drawn.push_back(detail::moved_by(forms.over(curve.chain().pieces[i], {Rational(-reach), reach}), point));
+      source.push_back(i);
+    }
+    const detail::Foot_curve foot(curve);
+    const bool whole = drawn.size() == curve.pieces().size();
+    if (!drawn.empty())
+      maker.draw(Rational_map<3, 2>(drawn), {drawn.size(), 1}, {whole && curve.chain().is_closed(), false},
+                 [&](std::size_t piece, double u, double, const Approximate_point<3>& p) {
+                   return Vertex_description{{foot.parameter(source[piece], u)}, foot.distance(source[piece], u, p)};
+                 });
+    return maker.finish(degrees, Rational_map<3, 2>(std::move(charts)));
+  });
+}
+
+/// All points at equal distance from feet on two space curves, in both normal planes: a rational surface over pairs of
+/// parameters. Curves (or pieces) in one plane give the cylinder over their planar bisector, which is not rational.
+/// Throws Unsupported_feature for those whose plane has no two orthogonal rational vectors of one length.
+inline Locus<3> untrimmed_bisector(const Rational_curve<3>& first, const Rational_curve<3>& second, const Mesh_options& options = {})
+{
+  return with_upward_rounding([&] {
+    std::vector<Exact_point<3>> points;
+    detail::collect_control_points(first, points);
+    detail::collect_control_points(second, points);
+    detail::Bisector_3_maker maker(points, options);
+    if (const auto plane = detail::common_plane(points)) {
+      detail::draw_cylinder(*plane, first, second, options, maker.data());
+      return maker.finish({0, 0}, std::nullopt);
+    }
+    const std::size_t n = first.pieces().size(), m = second.pieces().size();
+    const Rational_map<3, 2> map = curve_curve_bisector_map(first, second);
+    const detail::Foot_curve a(first), b(second);
+    const auto describe = [&](std::size_t i, std::size_t j, double u, double v, const Approximate_point<3>& p) {
+      return Vertex_description{{a.parameter(i, u), b.parameter(j, v)}, 0.5 * (a.distance(i, u, p) + b.distance(j, v, p))};
+    };
+    if (map.pieces().size() == n * m) {
+      maker.draw(map, {n, m}, {first.chain().is_closed(), second.chain().is_closed()},
+                 [&](std::size_t k, double u, double v, const Approximate_point<3>& p) { return describe(k / m, k % m, u, v, p); });
+      return maker.finish(map.degrees(), map);
+    }
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < m; ++j) {
+        if (!detail::are_coplanar(first.pieces()[i], second.pieces()[j])) {
+          maker.draw(Rational_map<3, 2>({map.pieces()[next++]}), {1, 1}, {false, false},
+                     [&](std::size_t, double u, double v, const Approximate_point<3>& p) { return describe(i, j, u, v, p); });
+          continue;
+        }
+        std::vector<Exact_point<3>> own;
+        const Rational_curve<3> p = detail::single_piece(first, i), q = detail::single_piece(second, j);
+        detail::collect_control_points(p, own);
+        detail::collect_control_points(q, own);
+        detail::draw_cylinder(*detail::common_plane(own), p, q, options, maker.data());
+      }
+    return maker.finish(map.degrees(), map);
+  });
+}
+
+/// All points at equal distance from a point and from a foot on a surface, on the foot's normal: a rational surface.
+inline Locus<3> untrimmed_bisector(const Exact_point<3>& point, const Rational_surface& surface, const Mesh_options& options = {})
+{
+  return with_upward_rounding([&] {
+    std::vector<Exact_point<3>> points{point};
+    for (const Surface_piece& s : surface.pieces())
+      for (std::size_t i = 0; i < s.numerator[0].size(); ++i)
+        points.push_back(detail::vector_of<3>([&](std::size_t k) { return Rational(s.numerator[k][i] / s.weight[s.is_polynomial() ? 0 : i]); }));
+    detail::Bisector_3_maker maker(points, options);
+    const Rational_map<3, 2> map = point_surface_bisector_map(point, surface);
+    const auto& chains = surface.chains();
+    const std::array<std::size_t, 2> grid{chains[0].pieces.size(), chains[1].pieces.size()};
+    Approximate_point<3> foot;
+    for (std::size_t k = 0; k < 3; ++k) foot[k] = nearest_double(point[k]);
+    const auto describe = [&](const std::array<Piece, 2>& range, double u, double v, const Approximate_point<3>& p) {
+      const Range a = Parameter_range(range[0]).at(Interval(u)), b = Parameter_range(range[1]).at(Interval(v));
+      return Vertex_description{{a.lo + 0.5 * (a.hi - a.lo), b.lo + 0.5 * (b.hi - b.lo)}, detail::distance_from(p, foot)};
+    };
+    const bool whole = map.pieces().size() == grid[0] * grid[1];
+    if (whole)
+      maker.draw(map, grid, {false, false}, [&](std::size_t k, double u, double v, const Approximate_point<3>& p) {
+        return describe(map.pieces()[k].range, u, v, p);
+      });
+    else
+      for (const auto& piece : map.pieces())
+        maker.draw(Rational_map<3, 2>({piece}), {1, 1}, {false, false},
+                   [&](std::size_t, double u, double v, const Approximate_point<3>& p) { return describe(piece.range, u, v, p); });
+    return maker.finish(map.degrees(), map);
+  });
+}
+
+} // namespace locus
+
+#endif

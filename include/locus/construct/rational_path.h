@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRUCT_RATIONAL_PATH_H
+#define LOCUS_CONSTRUCT_RATIONAL_PATH_H
+
+#include <locus/construct/curve_evaluator.h>
+#include <locus/construct/extent.h>
+#include <locus/construct/locus.h>
+#include <locus/construct/parameter_range.h>
+#include <locus/shape/rational_map.h>
+
+namespace locus {
+namespace detail {
+
+/// Homogeneous coordinates in a frame as enclosed functions.
+template <int Dim>
+class Map_evaluator {
+public:
+  static constexpr auto size = static_cast<std::size_t>(Dim);
+  using Point = std::array<Interval, size>;
+
+  Map_evaluator(const Polynomial_vector<1, size>& numerator, const Bernstein<Rational, 1>& weight) : weight_(weight)
+  {
+    for (std::size_t k = 0; k < size; ++k) numerator_[k] = Enclosed_function(numerator[k]);
+  }
+
+  Point at(const Interval& s) const
+  {
+    const Interval w = weight_.at(s);
+    return vector_of<size>([&](std::size_t k) { return Interval(numerator_[k].at(s) / w); });
+  }
+  std::array<Jet<Interval>, size> jet_at(const Interval& s) const
+  {
+    const Jet<Interval> here(s, Interval(1), Interval(0)), w = weight_.along(here);
+    return vector_of<size>([&](std::size_t k) { return numerator_[k].along(here) / w; });
+  }
+  /// Derivatives of numerator and weight of order k ≤ 2.
+  Point numerator(const Interval& s, std::size_t k) const
+  {
+    return vector_of<size>([&](std::size_t v) { return numerator_[v].at(s, k); });
+  }
+  Interval weight(const Interval& s, std::size_t k) const { return weight_.at(s, k); }
+
+private:
+  std::array<Enclosed_function, size> numerator_;
+  Enclosed_function weight_;
+};
+
+/// A rational curve that was derived from an input, with all that its arcs share. Coordinates are the frame's.
+template <int Dim>
+struct Path_work {
+  static constexpr auto size = static_cast<std::size_t>(Dim);
+
+  struct Piece_work {
+    Curve_piece<Dim> forms;                             ///< of the derived curve
+    std::array<Bernstein<Interval, 1>, size> numerator; ///< enclosed, relative to the inputs' middle
+    Bernstein<Interval, 1> weight;
+    std::optional<Map_evaluator<Dim>> image, foot;
+    Parameter_range range;
+  };
+
+  Frame<Dim> frame;
+  double scale = 1, cut_radius = cut_factor;
+  std::array<double, size> centre{};
+  std::vector<Piece_work> pieces;
+
+  /// The point of a local parameter, in the inputs' coordinates.
+  Arc_point<Dim> at(std::size_t piece, const Interval& s) const
+  {
+    const Piece_work& p = pieces[piece];
+    const auto x = p.image->at(s);
+    Interval radius(0), square(0);
+    double magnitude_sum = 0;
+    Approximate_point<Dim> point;
+    for (std::size_t k = 0; k < size; ++k) {
+      point[k] = representative(frame.out_of(x[k], k));
+      magnitude_sum += std::abs(point[k]);
+      square += CGAL::square(Interval(width(x[k])));
+    }
+    if (p.foot) {
+      const auto y = p.foot->at(s);
+      for (std::size_t k = 0; k < size; ++k) radius += CGAL::square(x[k] - y[k]);
+      radius = frame.length(CGAL::sqrt(radius));
+    }
+    const double error = frame.length(CGAL::sqrt(square)).sup() + 8 * operation_error * magnitude_sum;
+    return {{p.range.at(s)}, point, std::max(0.0, representative(radius)), error};
+  }
+};
+
+/// A stretch of one piece between two of its parameters, both finite places of the curve.
+struct Path_leg {
+  std::size_t piece = 0;
+  double lo = 0, hi = 1;
+};
+
+/// An arc of a derived rational curve: legs one after another.
+template <int Dim>
+class Rational_path : public Arc_geometry<Dim> {
+public:
+  Rational_path(std::shared_ptr<const Path_work<Dim>> work, std::vector<Path_leg> legs, Irregular_points<Dim> irregular)
+    : work_(std::move(work)), legs_(std::move(legs)), irregular_(std::move(irregular))
+  {
+  }
+
+  Arc_point<Dim> at(double x) const override
+  {
+    return with_upward_rounding([&] { return point_at(x); });
+  }
+
+  Arc_differential<Dim> differential(double x) const override
+  {
+    return with_upward_rounding([&] {
+      const auto [leg, s] = place(x);
+      const auto jets = work_->pieces[leg.piece].image->jet_at(Interval(s));
+      Arc_differential<Dim> d;
+      std::array<double, static_cast<std::size_t>(Dim)> first, second;
+      double square = 0, along = 0, second_square = 0;
+      for (std::size_t k = 0; k < first.size(); ++k) {
+        first[k] = midpoint(jets[k].first);
+        second[k] = midpoint(jets[k].second);
+        square += first[k] * first[k];
+        along += first[k] * second[k];
+        second_square += second[k] * second[k];
+      }
+      const double speed = std::sqrt(square);
+      for (std::size_t k = 0; k < first.size(); ++k) d.tangent[k] = first[k] / speed;
+      const double bend = Dim == 2 ? first[0] * second[1] - first[1] * second[0]
+                                   : std::sqrt(std::max(0.0, square * second_square - along * along));
+      d.curvature = std::ldexp(bend / (square * speed), static_cast<int>(-work_->frame.exponent));
+      return d;
+    });
+  }
+
+  std::vector<Arc_point<Dim>> samples(std::size_t n) const override
+  {
+    return with_upward_rounding([&] {
+      std::vector<Arc_point<Dim>> points;
+      const std::size_t count = std::max<std::size_t>(n, 2);
+      for (std::size_t i = 0; i < count; ++i)
+        points.push_back(point_at(static_cast<double>(i) / static_cast<double>(count - 1)));
+      return points;
+    });
+  }
+
+  Polyline<Dim> polyline(double relative_tolerance) const override
+  {
+    return with_upward_rounding([&] {
+      Draft draft;
+      draft.tolerance = std::max(relative_tolerance, 0x1p-60) * work_->frame.length(Interval(work_->scale)).sup();
+      for (const Path_leg& leg : legs_) {
+        const auto& piece = work_->pieces[leg.piece];
+        Part part{leg.lo, leg.hi, piece.numerator, piece.weight};
+        part.restrict_from_unit();
+        if (draft.points.empty()) draft.points.push_back(work_->at(leg.piece, Interval(leg.lo)));
+        refine(leg.piece, part, 0, draft);
+      }
+      double rounding = 0;
+      for (const auto& p : draft.points) rounding = std::max(rounding, p.error());
+      return Polyline<Dim>(std::move(draft.points), draft.error + rounding);
+    });
+  }
+
+  Irregular_points<Dim> irregular() const override { return irregular_; }
+
+private:
+  static constexpr auto size = static_cast<std::size_t>(Dim);
+
+  struct Draft {
+    std::vector<Arc_point<Dim>> points;
+    double tolerance = 0, error = 0;
+  };
+
+  /// The curve on a part of a piece, in Bernstein form on [lo, hi].
+  struct Part {
+    double lo, hi;
+    std::array<Bernstein<Interval, 1>, size> numerator;
+    Bernstein<Interval, 1> weight;
+
+    void restrict_from_unit()
+    {
+      if (lo == 0 && hi == 1) return;
+      for (auto& f : numerator) f = restrict_to(f, 0, Interval(lo), Interval(hi));
+      weight = restrict_to(weight, 0, Interval(lo), Interval(hi));
+    }
+    std::array<Part, 2> halves() const
+    {
+      const double mid = 0.5 * (lo + hi);
+      std::array<Part, 2> parts{Part{lo, mid, {}, {}}, Part{mid, hi, {}, {}}};
+      for (std::size_t k = 0; k < size; ++k) {
+        auto both = split(numerator[k], 0, Interval(0.5));
+        parts[0].numerator[k] = std::move(both.first);
+        parts[1].numerator[k] = std::move(both.second);
+      }
+      auto both = split(weight, 0, Interval(0.5));
+      parts[0].weight = std::move(both.first);
+      parts[1].weight = std::move(both.second);
+      return parts;
+    }
+  };
+
+  std::pair<Path_leg, double> place(double x) const
+  {
+    const double along = std::min(1.0, std::max(0.0, x)) * static_cast<double>(legs_.size());
+    const std::size_t k = std::min(legs_.size() - 1, static_cast<std::size_t>(along));
+    const double f = along - static_cast<double>(k);
+    return {legs_[k], std::min(legs_[k].hi, legs_[k].lo + f * (legs_[k].hi - legs_[k].lo))};
+  }
+
+  Arc_point<Dim> point_at(double x) const
+  {
+    const auto [leg, s] = place(x);
+    return work_->at(leg.piece, Interval(s));
+  }
+
+  /// Adds the points after the first one. The curve lies in the hull of its control points, so their greatest distance from
+  /// the chord bounds its own; the chord's distance from the curve is no greater, since the curve runs from end to end.
+  void refine(std::size_t piece, const Part& part, int depth, Draft& draft) const
+  {
+    constexpr int deepest = 40;
+    const Arc_point<Dim> last = work_->at(piece, Interval(part.hi));
+    const double distance = distance_from_chord(part, draft.points.back().point(), last.point());
+    const double mid = 0.5 * (part.lo + part.hi);
+    if (distance <= draft.tolerance || depth == deepest || !(mid > part.lo && mid < part.hi)) {
+      draft.error = std::max(draft.error, distance);
+      draft.points.push_back(last);
+      return;
+    }
+    const auto halves = part.halves();
+    refine(piece, halves[0], depth + 1, draft);
+    refine(piece, halves[1], depth + 1, draft);
+  }
+
+  /// Infinite where the weight's coefficients have no common sign.
+  double distance_from_chord(const Part& part, const Approximate_point<Dim>& from, const Approximate_point<Dim>& to) const
+  {
+    double greatest = 0;
+    const bool positive = part.weight[0].inf() > 0;
+    for (std::size_t i = 0; i < part.weight.size(); ++i) {
+      const Interval& w = part.weight[i];
+      if (!(positive ? w.inf() > 0 : w.sup() < 0)) return std::numeric_limits<double>::infinity();
+      std::array<Interval, size> p;
+      for (std::size_t k = 0; k < size; ++k)
+        p[k] = work_->frame.out_of(part.numerator[k][i] / w + Interval(work_->centre[k]), k) - Interval(from[k]);
+      Interval along(0), length2(0), square(0);
+      for (std::size_t k = 0; k < size; ++k) {
+        const Interval d = Interval(to[k]) - Interval(from[k]);
+        along += p[k] * d;
+        length2 += CGAL::square(d);
+      }
+      // Any point of the chord bounds the distance from above: a good one.
+      const double f = length2.inf() > 0 ? std::min(1.0, std::max(0.0, midpoint(along) / midpoint(length2))) : 0.0;
+      for (std::size_t k = 0; k < size; ++k)
+        square += CGAL::square(p[k] - Interval(f) * (Interval(to[k]) - Interval(from[k])));
+      greatest = std::max(greatest, CGAL::sqrt(square).sup());
+    }
+    return greatest;
+  }
+
+  std::shared_ptr<const Path_work<Dim>> work_;
+  std::vector<Path_leg> legs_;
+  Irregular_points<Dim> irregular_;
+};
+
+} // namespace detail
+} // namespace locus
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_IO_JSON_RATIONAL_H
+#define LOCUS_IO_JSON_RATIONAL_H
+
+#include <locus/io/json_writer.h>
+
+namespace locus {
+namespace detail {
+
+/// An end of a range as a fraction, or "inf".
+inline void write_end(Json_writer& json, const Rational& x, bool infinite, const char* infinity)
+{
+  if (infinite) json.value(infinity);
+  else json.value(x.get_str());
+}
+
+inline void write_range(Json_writer& json, const Piece& range)
+{
+  json.open('[');
+  write_end(json, range.lo, range.lo_infinite, "-inf");
+  write_end(json, range.hi, range.hi_infinite, "inf");
+  json.close(']');
+}
+
+/// Coefficients in rows, the first index running with the first parameter.
+template <int K, class Write>
+void write_rows(Json_writer& json, const Degrees<K>& degrees, Write write)
+{
+  const auto row = static_cast<std::size_t>(degrees.back()) + 1;
+  const std::size_t count = coefficient_count(degrees);
+  if (K > 1) json.open('[');
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % row == 0) json.open('[');
+    write(i);
+    if (i % row == row - 1) json.close(']');
+  }
+  if (K > 1) json.close(']');
+}
+
+/// A piece by control points and weights. Where a weight is 0 the control point is at infinity, and its numerators are given.
+template <int Dim, int K>
+void write_map_piece(Json_writer& json, const Rational_map_piece<Dim, K>& piece)
+{
+  json.open('{').key("domain").open('[');
+  for (const Piece& range : piece.range) write_range(json, range);
+  json.close(']').key("degrees").list(piece.degrees()).key("control_points");
+  write_rows<K>(json, piece.degrees(), [&](std::size_t i) {
+    json.open('[');
+    for (const auto& f : piece.numerator)
+      json.value((piece.weight[i] == 0 ? f[i] : Rational(f[i] / piece.weight[i])).get_str());
+    json.close(']');
+  });
+  json.key("weights");
+  write_rows<K>(json, piece.degrees(), [&](std::size_t i) { json.value(piece.weight[i].get_str()); });
+  json.key("intervals").open('[').open('[');
+  for (const Piece& range : piece.range) write_range(json, range);
+  json.close(']').close(']').close('}');
+}
+
+inline void write_sheet(Json_writer& json, const Sheet& sheet)
+{
+  json.open('{').key("euler").value(sheet.euler).key("error").value(sheet.error).key("boundary").open('[');
+  for (const Sheet_boundary& b : sheet.boundary) json.line(6).open('{').key("kind").value(b.kind).key("loop").list(b.loop).close('}');
+  json.close(']').line(5).key("points").open('[');
+  for (const auto& p : sheet.points) json.value(p);
+  json.close(']').line(5).key("parameters").open('[');
+  for (const auto& p : sheet.parameters) json.list(p);
+  json.close(']').line(5).key("radius").list(sheet.radius).line(5).key("triangles").open('[');
+  for (const auto& t : sheet.triangles) json.list(t);
+  json.close(']').close('}');
+}
+
+/// The keys `sheets`, in space, and `rational`, where there is an exact curve or surface.
+template <int Dim>
+void write_surface(Json_writer& json, const Locus<Dim>& locus)
+{
+  if (Dim == 3) write_lines(json, "sheets", locus.sheets(), write_sheet);
+  if (locus.rational_curve())
+    write_lines(json, "rational", locus.rational_curve()->pieces(), [](Json_writer& j, const auto& piece) { write_map_piece(j, piece); });
+  else if (locus.rational_surface())
+    write_lines(json, "rational", locus.rational_surface()->pieces(), [](Json_writer& j, const auto& piece) { write_map_piece(j, piece); });
+}
+
+} // namespace detail
+} // namespace locus
+
+#endif
