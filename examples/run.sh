@@ -23,11 +23,17 @@ for source in examples/*.cpp; do
   (cd "$out" && "$locus_root/build/bin/example_$name") || { echo "   FAILED with status $?"; failed=$((failed + 1)); }
 done
 
-for job in examples/jobs/*.json; do
+for job in examples/jobs/*.json examples/jobs/*/*.json; do
   name=$(basename "$job" .json)
-  rm -f "$out/$name".{json,svg,png} # an old picture must not pass for this run's
+  rm -f "$out/$name".{json,svg,png,ply,vtk} # an old picture must not pass for this run's
+  # Of plane jobs there are pictures, of surfaces in space meshes.
+  extra=(--svg "$out/$name.svg")
+  if [[ $job == */space/* ]]; then
+    extra=()
+    grep -q '"compute": "bisector"' "$job" && extra=(--ply "$out/$name.ply" --vtk "$out/$name.vtk")
+  fi
   status=0
-  build/bin/locus "$job" --json "$out/$name.json" --svg "$out/$name.svg" || status=$?
+  build/bin/locus "$job" --json "$out/$name.json" "${extra[@]}" || status=$?
   case $status in
     0) answered=$((answered + 1)); verdict=certified ;;
     1) undecided=$((undecided + 1)); verdict="answered, with something undecided (see $name.json)" ;;

@@ -55,6 +55,7 @@ CUBIC = {"curve": {"degree": 3, "control_points": [[0, 0], [1, 2], [2, -1], [3, 
 LINE = {"curve": {"degree": 1, "control_points": [[0, 4], [3, 5]]}}
 SPLINE = {"curve": {"degree": 2, "control_points": [[0, 0], [1, 2], [2, -1], [3, 1]], "knots": [0, 0, 0, 1, 2, 2, 2]}}
 SPACE = {"curve": {"degree": 1, "control_points": [[0, 0, 0], [1, 1, 1]]}}
+POINT = {"point": [1, 2, "1/3"]}
 PLANE = {"surface": {"degrees": [1, 1], "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]]}}
 BASE = {"compute": "bisector", "inputs": [CUBIC, LINE], "options": {"trimmed": False}}
 TEXT = json.dumps(BASE)
@@ -72,6 +73,14 @@ def job(*changes, base=BASE):
         else:
             del at[path[-1]]
     return json.dumps(j)
+
+
+def surface(points, **members):
+    """A point in space and a bilinear surface."""
+    return job((("inputs",), [POINT, {"surface": dict({"degrees": [1, 1], "control_points": points}, **members)}]))
+
+
+SQUARE = PLANE["surface"]["control_points"]
 
 
 def curve(*path):
@@ -194,6 +203,20 @@ INVALID = [
     ("monomials over zero", job((("inputs", 1), {"curve": {"monomial": {"x": [1, 2], "y": [3, 6], "w": [0, 0]}, "domain": [0, 1]}})), ["inputs[1].curve.monomial.w", "zero"]),
     ("surface of planar points", job((("inputs",), [{"surface": {"degrees": [1, 1], "control_points": [[[0, 0], [0, 1]], [[1, 0], [1, 1]]]}}, LINE])), ["inputs[0].surface.control_points[0][0]"]),
     ("ragged surface", job((("inputs",), [{"surface": {"degrees": [1, 1], "control_points": [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0]]]}}, SPACE])), ["inputs[0].surface.control_points[1]"]),
+    ("pole of a surface", surface(SQUARE, weights=[[1, 1], [1, -1]]), ["inputs[1].surface.weights", "pole"]),
+    ("pole of a surface at its corner", surface(SQUARE, weights=[[1, 1], [1, 0]]), ["inputs[1].surface.weights", "pole", "(1.000000, 1.000000)"]),
+    ("surface over zero", surface(SQUARE, weights=[[0, 0], [0, 0]]), ["inputs[1].surface.weights", "zero"]),
+    ("too few weights of a surface", surface(SQUARE, weights=[[1, 1], [1]]), ["inputs[1].surface.weights[1]", "1 weights"]),
+    ("too few knots of a surface", surface(SQUARE, knots=[[0, 0, 1, 1], [0, 1, 1]]), ["inputs[1].surface.knots[1]", "3 knots"]),
+    ("surface that is a curve", surface([[[0, 0, 0], [0, 0, 0]], [[1, 0, 2], [1, 0, 2]]]), ["inputs[1].surface.control_points", "is a curve"]),
+    ("surface that is a line", surface([[[0, 0, 0], [1, 0, 0]], [[2, 0, 0], [3, 0, 0]]]), ["inputs[1].surface.control_points", "is a curve"]),
+    ("surface that is one point", surface([[[1, 0, 0], [1, 0, 0]], [[1, 0, 0], [1, 0, 0]]]), ["inputs[1].surface.control_points", "single point"]),
+    ("one point twice", job((("inputs",), [POINT, {"point": [1, "4/2", "3/9"]}])), ["inputs[1]", "same", "different points"]),
+    ("pole of a curve in space", job((("inputs",), [POINT, {"curve": {"degree": 1, "control_points": [[0, 0, 0], [1, 1, 1]], "weights": [1, -1]}}])), ["inputs[1].curve.weights", "pole"]),
+    ("one surface alone", job((("inputs",), [PLANE])), ["inputs[0]", "self-bisector"]),
+    ("curvature of a point", job((("compute",), "curvature"), (("inputs",), [POINT])), ["inputs[0]", "takes a curve"]),
+    ("evolute of a surface", job((("compute",), "evolute"), (("inputs",), [PLANE])), ["inputs[0]", "takes a curve"]),
+    ("evolute of two curves", job((("compute",), "evolute"), (("inputs",), [SPACE, SPACE])), ["inputs", "2 inputs"]),
     ("point alone", job((("inputs",), [{"point": [0, 0]}])), ["inputs[0]", "self-bisector"]),
     ("envelope of a point", job((("compute",), "envelope"), (("inputs", 1), {"point": [0, 0]})), ["inputs", "envelope"]),
     ("curvature of two curves", job((("compute",), "curvature")), ["inputs", "2 inputs"]),
@@ -217,16 +240,22 @@ MISSING = [
     ("trimmed", job((("options", "trimmed"), True)), ["options.trimmed"]),
     ("point and curve", job((("inputs", 1), {"point": [0.1, "1/3"]})), ["inputs[1]", "point"]),
     ("two points", job((("inputs",), [{"point": [0, 0]}, {"point": [1, 1]}])), ["inputs[0]", "point"]),
-    ("curves in space", job((("inputs",), [SPACE, SPACE])), ["inputs[0]", "space"]),
-    ("curve and surface", job((("inputs",), [SPACE, PLANE])), ["inputs[0]", "space"]),
+    ("one curve in space", job((("inputs",), [SPACE])), ["inputs[0]", "self-bisector", "space"]),
+    ("one curve in space, trimmed", job((("inputs",), [SPACE]), (("options",),)), ["inputs[0]", "self-bisector", "space"]),
+    ("curves in space, trimmed", job((("inputs",), [SPACE, SPACE]), (("options", "trimmed"), True)), ["options.trimmed"]),
+    ("curves in space, trimmed by default", job((("inputs",), [SPACE, SPACE]), (("options",),)), ["options.trimmed"]),
+    ("point and curve in space, trimmed", job((("inputs",), [POINT, SPACE]), (("options",),)), ["options.trimmed"]),
+    ("point and surface, trimmed", job((("inputs",), [PLANE, POINT]), (("options",),)), ["options.trimmed"]),
+    ("curve and surface", job((("inputs",), [SPACE, PLANE])), ["inputs[0]", "curve in space and a surface"]),
+    ("surface and curve", job((("inputs",), [PLANE, SPACE])), ["inputs[0]", "curve in space and a surface"]),
     ("surfaces", job((("inputs",), [PLANE, PLANE])), ["inputs[0]", "surface"]),
+    ("curves in a plane across all axes", job((("inputs",), [{"curve": {"degree": 2, "control_points": [[0, 0, 0], [1, 0, 0], [0, 1, 1]]}}, SPACE])), ["plane", "irrational length"]),
     ("alpha sector", job((("compute",), "alpha_sector"), (("alpha",), "1/3")), ["alpha_sector"]),
     ("envelope", job((("compute",), "envelope")), ["envelope"]),
-    ("curvature", job((("compute",), "curvature"), (("inputs",), [CUBIC])), ["curvature"]),
-    ("evolute", job((("compute",), "evolute"), (("inputs",), [CUBIC])), ["evolute"]),
     ("silhouette", json.dumps({"compute": "silhouette", "inputs": [PLANE], "eye": [0, 0, 1]}), ["silhouette"]),
     ("sweep", json.dumps({"compute": "sweep", "inputs": [PLANE], "motion": {}}), ["sweep"]),
     ("high degree", job((("inputs", 1), {"curve": {"degree": 500, "control_points": [[i, i * i] for i in range(501)]}})), ["inputs[1]", "degree"]),
+    ("surface of high degree", job((("inputs",), [POINT, {"surface": {"degrees": [500, 1], "control_points": [[[i, i * i, 0], [i, 0, 1]] for i in range(501)]}}])), ["inputs[1]", "surfaces of degree"]),
     ("irrational cusp", job((("inputs", 1), {"curve": {"monomial": {"x": [0, "-1/2", 0, "1/3"], "y": [0, 0, "-1/4", 0, "1/4"]}, "domain": [0, 1]}})), ["cusp"]),
     ("irrational pole", job((("inputs", 1), {"curve": {"monomial": {"x": [1], "y": [0, 1], "w": [-2, 0, 1]}, "domain": [0, "inf"]}})), ["inputs[1]", "pole", "1.41421"]),
 ]
@@ -290,7 +319,17 @@ def test_command_line(folder):
         ("check without a certificate", ["check"], ["CERTIFICATE"]),
     ]:
         check_refusal(name, run(arguments), 2, words)
-    check_refusal("mesh", run([path, "--ply", out]), 4, ["mesh"])
+    check_refusal("two meshes in one file", run([path, "--json", out, "--obj", out]), 2, ["out.json", "two outputs"])
+    for option in ("--ply", "--obj", "--vtk"):
+        check_refusal(f"{option} in the plane", run([path, option, out]), 4, [option, "mesh"])
+    for name, text, option in [("in space", job((("inputs",), [POINT, SPACE])), "--svg"), ("in space", job((("inputs",), [POINT, SPACE])), "--certificate"),
+                               ("of curvature in space", job((("compute",), "curvature"), (("inputs",), [SPACE])), "--svg"),
+                               ("of an evolute in space", job((("compute",), "evolute"), (("inputs",), [SPACE])), "--ply"),
+                               ("of curvature", job((("compute",), "curvature"), (("inputs",), [CUBIC])), "--certificate"),
+                               ("of an evolute", job((("compute",), "evolute"), (("inputs",), [CUBIC])), "--certificate"),
+                               ("of curvature", job((("compute",), "curvature"), (("inputs",), [CUBIC])), "--ply")]:
+        check_refusal(f"{option} {name}", run(["-", option, path + ".out"], stdin=text.encode()), 4, [option])
+    check(not os.path.exists(path + ".out"), "a refused job wrote its output")
     check_refusal("a job for a certificate", run(["check", path]), 2, ["certificate"])
     check_refusal("no certificate", run(["check", os.path.join(folder, "absent.json")]), 2, ["absent.json"])
     with open(path) as f:
@@ -864,6 +903,18 @@ def test_random_jobs():
     check(answered >= 80, f"only {answered} of 100 random jobs were answered")
 
 
+def report():
+    """Prints what failed; returns the program's exit status."""
+    shown = {}
+    for failure in failures:
+        about = failure[:60]
+        shown[about] = shown.get(about, 0) + 1
+        if shown[about] <= 3:
+            print("FAILED", failure)
+    print(f"{checks} checks, {len(failures)} failed")
+    return 1 if failures else 0
+
+
 def main():
     if not os.access(PROGRAM, os.X_OK):
         print(f"{PROGRAM} is not there: build the target locus_cli first")
@@ -874,14 +925,7 @@ def main():
         test_results(folder)
     test_curves_of_many_pieces()
     test_random_jobs()
-    shown = {}
-    for failure in failures:
-        about = failure[:60]
-        shown[about] = shown.get(about, 0) + 1
-        if shown[about] <= 3:
-            print("FAILED", failure)
-    print(f"{checks} checks, {len(failures)} failed")
-    return 1 if failures else 0
+    return report()
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -51,7 +52,8 @@ Sheet_options options_for(std::array<std::size_t, 2> grid, double tolerance, dou
   o.tolerance = tolerance;
   o.cut_radius = cut_radius;
   o.describe = [grid](std::size_t piece, double a, double b, const Approximate_point<3>&) {
-    return Vertex_description{{static_cast<double>(piece / grid[1]) + a, static_cast<double>(piece % grid[1]) + b}, a + b};
+    return Vertex_description{{static_cast<double>(piece / grid[1]) + a, static_cast<double>(piece % grid[1]) + b},
+                              a + b};
   };
   return o;
 }
@@ -140,8 +142,8 @@ struct Parameter_triangle {
 };
 
 /// The exact point of a surface on a grid at a place.
-std::optional<Exact_point<3>> exact_image(const Surface& surface, const Sheet_options& o, const std::array<Rational, 2>& place,
-                                          const std::array<Rational, 2>& inside)
+std::optional<Exact_point<3>> exact_image(const Surface& surface, const Sheet_options& o,
+                                          const std::array<Rational, 2>& place, const std::array<Rational, 2>& inside)
 {
   std::array<std::size_t, 2> at{};
   std::array<Rational, 2> local;
@@ -153,7 +155,8 @@ std::optional<Exact_point<3>> exact_image(const Surface& surface, const Sheet_op
 }
 
 /// Points of triangles and the surface's points of the same parameters are within the error, exactly.
-void check_error(const Surface& surface, const Sheet& s, const Sheet_options& o, Samples& samples, int each, std::size_t most = 600)
+void check_error(const Surface& surface, const Sheet& s, const Sheet_options& o, Samples& samples, int each,
+                 std::size_t most = 600)
 {
   Random random(7);
   const Rational limit = Rational(s.error) * Rational(s.error);
@@ -161,7 +164,8 @@ void check_error(const Surface& surface, const Sheet& s, const Sheet_options& o,
   for (std::size_t i = 0; i < s.triangles.size(); i += stride) {
     const auto& t = s.triangles[i];
     const Parameter_triangle p(s, t, o);
-    const std::array<Rational, 2> middle{(p.at[0][0] + p.at[1][0] + p.at[2][0]) / 3, (p.at[0][1] + p.at[1][1] + p.at[2][1]) / 3};
+    const std::array<Rational, 2> middle{(p.at[0][0] + p.at[1][0] + p.at[2][0]) / 3,
+                                         (p.at[0][1] + p.at[1][1] + p.at[2][1]) / 3};
     for (int n = 0; n < each; ++n) {
       std::array<Rational, 3> b; // corners and middles of sides first
       if (n < 3) b[static_cast<std::size_t>(n)] = 1;
@@ -182,7 +186,8 @@ void check_error(const Surface& surface, const Sheet& s, const Sheet_options& o,
       if (exact)
         for (std::size_t k = 0; k < 3; ++k) square += ((*exact)[k] - on_mesh[k]) * ((*exact)[k] - on_mesh[k]);
       samples.expect(exact && square <= limit, [&] {
-        return "off by " + std::to_string(std::sqrt(square.get_d())) + " where " + std::to_string(s.error) + " is proved";
+        return "off by " + std::to_string(std::sqrt(square.get_d())) + " where " + std::to_string(s.error) +
+               " is proved";
       });
     }
   }
@@ -214,6 +219,16 @@ double covered(const Sheets& result, const Sheet_options& o)
   return sum;
 }
 
+/// Whether a triangle of the first piece has no point inside a box, all its corners being beyond one side.
+bool is_apart(const Sheet& s, const std::array<std::size_t, 3>& t, const Box<2>& box)
+{
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (std::all_of(t.begin(), t.end(), [&](std::size_t i) { return s.parameters[i][k] <= box.lo[k]; })) return true;
+    if (std::all_of(t.begin(), t.end(), [&](std::size_t i) { return s.parameters[i][k] >= box.hi[k]; })) return true;
+  }
+  return false;
+}
+
 /// Every sampled point nearer than the cut radius is in a triangle or an undecided box.
 void check_coverage(const Surface& surface, const Sheets& result, const Sheet_options& o, int count)
 {
@@ -229,13 +244,15 @@ void check_coverage(const Surface& surface, const Sheets& result, const Sheet_op
     const double a = random.unit(), b = random.unit();
     const auto p = image(surface.pieces()[0], {Rational(a), Rational(b)});
     if (!p) continue;
-    const double far = std::hypot((*p)[0].get_d() - o.centre[0], (*p)[1].get_d() - o.centre[1], (*p)[2].get_d() - o.centre[2]);
+    const double far =
+      std::hypot((*p)[0].get_d() - o.centre[0], (*p)[1].get_d() - o.centre[1], (*p)[2].get_d() - o.centre[2]);
     if (far > o.cut_radius * (1 - 1e-9)) continue;
     const auto left_of = [&](const std::array<double, 2>& p0, const std::array<double, 2>& p1) {
       return (p1[0] - p0[0]) * (b - p0[1]) - (p1[1] - p0[1]) * (a - p0[0]) >= -1e-12;
     };
     bool found = false;
-    for (const auto& t : triangles) found = found || (left_of(t[0], t[1]) && left_of(t[1], t[2]) && left_of(t[2], t[0]));
+    for (const auto& t : triangles)
+      found = found || (left_of(t[0], t[1]) && left_of(t[1], t[2]) && left_of(t[2], t[0]));
     for (const Undecided_piece& box : result.undecided)
       found = found || (box.box[0].lo <= a && a <= box.box[0].hi && box.box[1].lo <= b && b <= box.box[1].hi);
     samples.expect(found, [&] { return "nothing at " + show(a) + " " + show(b); });
@@ -245,7 +262,10 @@ void check_coverage(const Surface& surface, const Sheets& result, const Sheet_op
 
 // ------------------------------------------------------------------------------------------------------- surfaces
 
-Surface saddle() { return patch(2 * u() - number(1), 2 * v() - number(1), (2 * u() - number(1)) * (2 * v() - number(1)), number(1)); }
+Surface saddle()
+{
+  return patch(2 * u() - number(1), 2 * v() - number(1), (2 * u() - number(1)) * (2 * v() - number(1)), number(1));
+}
 
 /// x, y and w of a quarter of the unit circle in one variable, turned by so many quarters.
 std::array<Form, 3> quarter(const Form& t, std::size_t turns)
@@ -276,7 +296,8 @@ Surface torus()
     for (std::size_t j = 0; j < 4; ++j) {
       const auto a = quarter(u(), i), b = quarter(v(), j);
       const Form out = 2 * b[2] + b[0];
-      pieces.push_back(piece({a[0] * out, a[1] * out, a[2] * b[1], a[2] * b[2]}, static_cast<int>(i), static_cast<int>(j)));
+      pieces.push_back(
+        piece({a[0] * out, a[1] * out, a[2] * b[1], a[2] * b[2]}, static_cast<int>(i), static_cast<int>(j)));
     }
   return Surface(pieces);
 }
@@ -415,10 +436,10 @@ TEST_CASE("pieces are joined only where their sides are the same curve with the 
   CHECK(sheets_with(flat(1, 0, bent)) == 1);  // the weights differ by a factor
   CHECK(sheets_with(flat(1, 0, other)) == 1); // one that depends on both variables
   const Form x = number(1) + u();
-  CHECK(sheets_with(piece({x, v() * v(), number(0), one}, 1)) == 2);                           // another parameter
-  CHECK(sheets_with(piece({x, v(), times(v() * (one - v()), two_to(-60)), one}, 1)) == 2);     // a little beside
+  CHECK(sheets_with(piece({x, v() * v(), number(0), one}, 1)) == 2);                       // another parameter
+  CHECK(sheets_with(piece({x, v(), times(v() * (one - v()), two_to(-60)), one}, 1)) == 2); // a little beside
   CHECK(sheets_with(piece({x, v(), number(two_to(-60)), one}, 1)) == 2);
-  CHECK(sheets_with(piece({number(2) - u(), v(), number(0), one}, 1)) == 2);                   // the far side
+  CHECK(sheets_with(piece({number(2) - u(), v(), number(0), one}, 1)) == 2); // the far side
   auto later = flat(1, 0, one);
   later.range[0].lo = Rational(3, 2);
   CHECK(sheets_with(later) == 2); // the ranges do not meet
@@ -475,6 +496,37 @@ TEST_CASE("a point 0/0 stays undecided and is listed")
   }
 }
 
+TEST_CASE("a point 0/0 in a hole leaves nothing undecided")
+{
+  for (const bool dyadic : {true, false}) {
+    const Rational at = dyadic ? Rational(3, 8) : Rational(1, 3);
+    const Form x = u() - number(at), y = v() - number(at), w = x * x + y * y;
+    const Surface s = patch(u() * w, v() * w, x * y, w);
+    Sheet_options o = options_for({1, 1}, 1e-2);
+    Sheet_hole hole;
+    hole.box.lo = {0.25, 0.25};
+    hole.box.hi = {0.5, 0.5};
+    o.holes.push_back(hole);
+    const Sheets r = drawn(s, o, 7);
+    CHECK(r.undecided.empty());
+    REQUIRE(r.sheets.size() == 1);
+    CHECK(r.sheets[0].euler == 0);
+    CHECK(loops(r.sheets[0]) == std::multiset<std::string>{"domain", "singular"});
+    CHECK(covered(r, o) == 15.0 / 16);
+    Samples samples;
+    for (const auto& t : r.sheets[0].triangles)
+      samples.expect(is_apart(r.sheets[0], t, hole.box), "no triangle reaches into the hole");
+    LOCUS_REQUIRE_SAMPLES(samples, 100);
+  }
+  // The hole of another piece does not count.
+  std::vector<Rational_map_piece<3, 2>> pieces{flat(0, 0, number(1)), flat(1, 0, middle_point())};
+  Sheet_options o = options_for({2, 1}, 1e-2);
+  o.holes.push_back({0, {{0.25, 0.25}, {0.75, 0.75}}});
+  CHECK(drawn(Surface(pieces), o).undecided.size() == 1);
+  o.holes[0].piece = 1;
+  CHECK(drawn(Surface(pieces), o).undecided.empty());
+}
+
 TEST_CASE("a line 0/0 uses up the cells, and the rest is still drawn")
 {
   const Form line = u() + v() - number(Rational(2, 3));
@@ -520,7 +572,53 @@ TEST_CASE("where the cells do not suffice, the error says so")
   const Sheets strict = drawn(torus(), o, 6);
   CHECK(!strict.undecided.empty());
   for (const Sheet& s : strict.sheets) CHECK(s.error <= 1e-4);
-  CHECK(strict.undecided[0].reason == "the limit of cells was reached in this box");
+  CHECK(strict.undecided[0].reason == "the limit of cells or time was reached in this box");
+}
+
+TEST_CASE("where the cells do not suffice, the error is about even")
+{
+  // One piece bends little, the other, apart from it, a thousand times as much.
+  const Form one = number(1), x = u() + number(2);
+  const Surface s(
+    {piece({u(), v(), times(u() * v(), Rational(1, 100)), one}, 0), piece({x, v(), 10 * u() * v() * v(), one}, 1)});
+  Sheet_options o = options_for({2, 1}, 1e-8);
+  o.max_cells = 20000;
+  const Sheets r = drawn(s, o, 12);
+  REQUIRE(r.sheets.size() == 2);
+  CHECK(r.undecided.empty());
+  const double little = std::min(r.sheets[0].error, r.sheets[1].error);
+  const double much = std::max(r.sheets[0].error, r.sheets[1].error);
+  CHECK(little > o.tolerance);
+  CHECK(much <= 5 * little); // halving a cell makes its error up to four times as small
+  // No cell was wasted: as a tolerance the error takes about as many.
+  o.tolerance = much * 1.01;
+  const Sheets again = drawn(s, o, 12);
+  CHECK(again.cells <= r.cells);
+  CHECK(again.cells > r.cells / 2);
+}
+
+TEST_CASE("the work can be watched, and stopped: what there is then is a drawing like others")
+{
+  Sheet_options o = options_for({4, 4}, 1e-9);
+  o.closed = {true, true};
+  std::size_t calls = 0, last = 0;
+  o.progress = [&](std::size_t done, std::size_t) {
+    CHECK(done > last);
+    last = done;
+    ++calls;
+  };
+  o.checkpoint = [&] {
+    if (last >= 8000) throw locus::Stopped();
+  };
+  const Sheets r = drawn(torus(), o, 6);
+  CHECK(calls >= 7);
+  CHECK(r.cells < 10000);
+  REQUIRE(r.sheets.size() == 1);
+  CHECK(r.sheets[0].error > 1e-9);
+  CHECK(r.sheets[0].boundary.empty());
+  o.progress = {};
+  o.checkpoint = [] { throw std::runtime_error("another exception goes through"); };
+  CHECK_THROWS_AS(drawn(torus(), o, 6), std::runtime_error);
 }
 
 TEST_CASE("far from the origin the rounding of the points is in the error")
@@ -562,6 +660,10 @@ TEST_CASE("options that make no sense are refused")
   CHECK(refused([](Sheet_options& o) { o.grid = {0, 1}; }));
   CHECK(refused([](Sheet_options& o) { o.max_depth = 31; }));
   CHECK(refused([](Sheet_options& o) { o.tolerance = -1; }));
+  CHECK(refused([](Sheet_options& o) {
+    o.closed = {true, false};
+    o.max_depth = 1;
+  }));
   CHECK(refused([](Sheet_options& o) { o.cut_radius = std::nan(""); }));
   CHECK(!refused([](Sheet_options& o) { o.tolerance = 1; }));
   CHECK(rational_sheets(Surface(), Sheet_options()).sheets.empty());
@@ -570,7 +672,7 @@ TEST_CASE("options that make no sense are refused")
 TEST_CASE("random surfaces are drawn within the error")
 {
   Random random(3);
-  for (int n = 0; n < 12; ++n) {
+  for (int n = 0; n < 10; ++n) {
     const Degrees<2> d = random.degrees<2>(1, 3);
     Forms f;
     for (Form& g : f) {
@@ -579,7 +681,7 @@ TEST_CASE("random surfaces are drawn within the error")
     }
     const Surface s({piece(f)});
     Sheet_options o = options_for({1, 1}, 0.05, 20);
-    o.max_cells = 30000;
+    o.max_cells = 10000;
     const Sheets r = drawn(s, o, 7);
     check_coverage(s, r, o, 60);
   }

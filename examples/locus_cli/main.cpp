@@ -183,8 +183,8 @@ int planar_curvature(const Settings& settings, const locus::Job& job, double tol
   locus::Status status = locus::Status::certified;
   if (const std::string json = json_file(settings); !json.empty())
     write_output(json, [&](std::ostream& out) {
-      if (job.compute == "curvature") locus::write_json(out, analysis);
-      else status = locus::write_json(out, evolute, tolerance);
+      if (job.compute == "curvature") locus::write_json(out, analysis, {curve});
+      else status = locus::write_json(out, evolute, tolerance, {}, {curve});
     });
   if (!settings.svg.empty())
     write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, evolute, {curve}, analysis.points); });
@@ -197,8 +197,8 @@ int space_curvature(const Settings& settings, const locus::Job& job, double tole
   const locus::Curve_3& curve = *job.inputs[0].space_curve;
   locus::Status status = locus::Status::certified;
   write_output(json_file(settings), [&](std::ostream& out) {
-    if (job.compute == "curvature") locus::write_json(out, locus::analyse_curvature(curve));
-    else status = locus::write_json(out, locus::evolute(curve), tolerance);
+    if (job.compute == "curvature") locus::write_json(out, locus::analyse_curvature(curve), {curve});
+    else status = locus::write_json(out, locus::evolute(curve), tolerance, {}, {curve});
   });
   return exit_of(status);
 }
@@ -223,7 +223,14 @@ int space_bisector(const Settings& settings, const locus::Job& job, double toler
   options.tolerance = tolerance;
   if (settings.max_cells) options.max_cells = *settings.max_cells;
   options.checkpoint = watched.checkpoint();
-  const locus::Locus<3> result = bisector_in_space(job.inputs[0], job.inputs[1], options);
+  options.progress = watched.control.progress;
+  const locus::Locus<3> result = [&] {
+    try {
+      return bisector_in_space(job.inputs[0], job.inputs[1], options);
+    } catch (const locus::Invalid_input& e) {
+      throw e.within("inputs[1]"); // one point twice
+    }
+  }();
   watched.done();
   if (const std::string json = json_file(settings); !json.empty())
     write_output(json, [&](std::ostream& out) { locus::write_json(out, result, tolerance); });

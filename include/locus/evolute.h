@@ -6,6 +6,7 @@
 
 #include <locus/construct/developables.h>
 #include <locus/construct/evolute.h>
+#include <locus/construct/focal_curve.h>
 #include <locus/shape/constructors_3.h>
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef LOCUS_CONSTRUCT_BISECTOR_3_H
 #define LOCUS_CONSTRUCT_BISECTOR_3_H
 
+#include <locus/construct/base_points.h>
 #include <locus/construct/bisector_maps_3.h>
 #include <locus/construct/plane_cylinder.h>
 #include <locus/construct/rational_path.h>
@@ -73,6 +74,18 @@ public:
 
   using Describe = std::function<Vertex_description(std::size_t, double, double, const Approximate_point<3>&)>;
 
+  /// Looks for base points of a piece; they become holes of what is drawn next, if it is the given one of its pieces.
+  void find_base_points(const Curve_piece<3>& first, const Curve_piece<3>& second, const Rational_map_piece<3, 2>& piece, std::size_t index)
+  {
+    const Base_point_search search(first, second, centre_);
+    for (const Base_point& p : search.run(piece, data_.cut_radius, options_.tolerance * data_.scale / 2)) {
+      holes_.push_back({index, p.hole});
+      hole_error_ = std::max(hole_error_, 2 * p.distance);
+      const Range t = Parameter_range(piece.range[0]).at(p.at[0]), r = Parameter_range(piece.range[1]).at(p.at[1]);
+      note("line", {t, r}, "both normal planes and the one half-way share a line: the surface runs along it, 0/0 in its parameters");
+    }
+  }
+
   void draw(const Rational_map<3, 2>& map, const std::array<std::size_t, 2>& grid, const std::array<bool, 2>& closed, Describe describe)
   {
     Sheet_options o;
@@ -80,12 +93,19 @@ public:
     o.cut_radius = data_.cut_radius;
     o.tolerance = options_.tolerance * data_.scale;
     o.max_cells = options_.max_cells;
+    o.max_depth = 30; // near holes cells get small
     o.grid = grid;
     o.closed = closed;
     o.describe = std::move(describe);
     o.checkpoint = options_.checkpoint;
+    o.progress = options_.progress;
+    o.holes = std::move(holes_);
+    holes_.clear();
     Sheets drawn = rational_sheets(map, o);
-    for (Sheet& s : drawn.sheets) data_.sheets.push_back(std::move(s));
+    for (Sheet& s : drawn.sheets) {
+      s.error = std::max(s.error, hole_error_);
+      data_.sheets.push_back(std::move(s));
+    }
     for (Undecided_piece& u : drawn.undecided) data_.undecided.push_back(std::move(u));
     data_.statistics.cells += drawn.cells;
   }
@@ -112,6 +132,8 @@ private:
   std::chrono::steady_clock::time_point start_;
   Rational scale_ = 1;
   Exact_point<3> centre_;
+  std::vector<Sheet_hole> holes_;
+  double hole_error_ = 0; ///< what is left out at holes is so near to what is drawn beside them
   Locus_data<3> data_;
 };
 
@@ -121,19 +143,46 @@ inline std::vector<Range> whole_range(const Piece& piece)
   return {{range.at(Interval(0)).lo, range.at(Interval(1)).hi}};
 }
 
-/// A factor λ such that λ·|generator| ≥ reach·|weight| on all of a piece: rulings go that far. Doubled until Bernstein
-/// coefficients prove it, which they do in the end, since the generator has no zero.
+/// Raises `factor` until factor²·f > g on the unit interval, as Bernstein coefficients show: where those of f are not all
+/// positive, on both halves of it. f has no zero.
+inline void outgrow(const Bernstein<Rational, 1>& f, const Bernstein<Rational, 1>& g, Rational& factor)
+{
+  const auto& c = f.coefficients();
+  const Rational least = *std::min_element(c.begin(), c.end());
+  if (least <= 0) {
+    const auto f_halves = split(f, 0, Rational(1, 2)), g_halves = split(g, 0, Rational(1, 2));
+    outgrow(f_halves.first, g_halves.first, factor);
+    outgrow(f_halves.second, g_halves.second, factor);
+    return;
+  }
+  const Rational greatest = *std::max_element(g.coefficients().begin(), g.coefficients().end());
+  while (factor * factor * least <= greatest) factor *= 2;
+}
+
+/// A factor λ such that λ·|generator| ≥ reach·|weight| on all of a piece: rulings go that far.
 inline Rational ruling_reach(const Ruled_forms& forms, const Rational& reach)
 {
   using namespace operators;
-  const Bernstein<Rational, 1> length2 = square(forms.generator), wanted = multiply(forms.weight * forms.weight, Rational(reach * reach));
-  // Where the squared length has coefficients that are not positive, raising its degree makes them so.
-  const Bernstein<Rational, 1> raised = elevate(length2, 0, 32);
-  for (Rational factor = 1;; factor *= 2) {
-    const Bernstein<Rational, 1> excess = subtract(multiply(raised, Rational(factor * factor)), wanted);
-    if (std::all_of(excess.coefficients().begin(), excess.coefficients().end(), [](const Rational& c) { return c > 0; })) return factor;
-    if (mpz_sizeinbase(factor.get_num_mpz_t(), 2) > 400) return factor; // only drawing asks: shorter rulings are still right
-  }
+  Rational factor = 1;
+  outgrow(square(forms.generator), multiply(forms.weight * forms.weight, Rational(reach * reach)), factor);
+  return factor;
+}
+
+/// Scales a piece's generator so that its first ruling is the last one of the piece before with the same parameter, if it is
+/// the same line: then both are drawn as one sheet.
+inline void continue_rulings(const Ruled_forms& before, Ruled_forms& after)
+{
+  const auto ruling = [](const Ruled_forms& f, bool last) {
+    const auto value = [last](const Bernstein<Rational, 1>& g) { return g[last ? g.size() - 1 : 0]; };
+    const Rational w = value(f.weight);
+    return w == 0 ? Exact_point<3>{} : vector_of<3>([&](std::size_t k) { return Rational(value(f.generator[k]) / w); });
+  };
+  const Exact_point<3> a = ruling(before, true), b = ruling(after, false), across = cross_product(a, b);
+  const Rational length = dot<3>(b, b);
+  if (length == 0 || across != Exact_point<3>{}) return;
+  const Rational factor = dot<3>(a, b) / length;
+  if (factor == 0) return;
+  for (auto& g : after.generator) g = multiply(g, factor);
 }
 
 } // namespace detail
@@ -169,8 +218,9 @@ inline Locus<3> untrimmed_bisector(const Exact_point<3>& point, const Rational_c
       degrees = detail::max_degrees<2>(degrees, chart.map.degrees());
       charts.push_back(chart.map);
     }
-    std::vector<Rational_map_piece<3, 2>> drawn;
+    std::vector<detail::Ruled_forms> forms;
     std::vector<std::size_t> source;
+    Rational reach = 1;
     for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
       const Plane_pencil planes = detail::point_curve_planes(detail::seen_from(curve.pieces()[i], point));
       if (planes.is_degenerate()) {
@@ -178,11 +228,14 @@ inline Locus<3> untrimmed_bisector(const Exact_point<3>& point, const Rational_c
                    "the piece lies on a line through the point: only where it passes through the point, its normal plane is equidistant");
         continue;
       }
-      const detail::Ruled_forms forms = planes.forms_by_directrix();
-      const Rational reach = detail::ruling_reach(forms, Rational(maker.scale() * 24));
-      drawn.push_back(detail::moved_by(forms.over(curve.chain().pieces[i], {Rational(-reach), reach}), point));
+      forms.push_back(planes.forms_by_directrix());
+      if (forms.size() > 1) detail::continue_rulings(forms[forms.size() - 2], forms.back());
+      reach = std::max(reach, detail::ruling_reach(forms.back(), Rational(maker.scale() * 24)));
       source.push_back(i);
     }
+    std::vector<Rational_map_piece<3, 2>> drawn;
+    for (std::size_t k = 0; k < forms.size(); ++k)
+      drawn.push_back(detail::moved_by(forms[k].over(curve.chain().pieces[source[k]], {Rational(-reach), reach}), point));
     const detail::Foot_curve foot(curve);
     const bool whole = drawn.size() == curve.pieces().size();
     if (!drawn.empty())
@@ -215,6 +268,7 @@ inline Locus<3> untrimmed_bisector(const Rational_curve<3>& first, const Rationa
       return Vertex_description{{a.parameter(i, u), b.parameter(j, v)}, 0.5 * (a.distance(i, u, p) + b.distance(j, v, p))};
     };
     if (map.pieces().size() == n * m) {
+      for (std::size_t k = 0; k < n * m; ++k) maker.find_base_points(first.pieces()[k / m], second.pieces()[k % m], map.pieces()[k], k);
       maker.draw(map, {n, m}, {first.chain().is_closed(), second.chain().is_closed()},
                  [&](std::size_t k, double u, double v, const Approximate_point<3>& p) { return describe(k / m, k % m, u, v, p); });
       return maker.finish(map.degrees(), map);
@@ -223,6 +277,7 @@ inline Locus<3> untrimmed_bisector(const Rational_curve<3>& first, const Rationa
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < m; ++j) {
         if (!detail::are_coplanar(first.pieces()[i], second.pieces()[j])) {
+          maker.find_base_points(first.pieces()[i], second.pieces()[j], map.pieces()[next], 0);
           maker.draw(Rational_map<3, 2>({map.pieces()[next++]}), {1, 1}, {false, false},
                      [&](std::size_t, double u, double v, const Approximate_point<3>& p) { return describe(i, j, u, v, p); });
           continue;

@@ -15,11 +15,10 @@ namespace locus {
 
 namespace detail {
 
-/// A curve piece seen from a point.
+/// A curve piece seen from a point; degrees stay, since numerators and weight must keep theirs in common.
 inline Curve_piece<3> seen_from(Curve_piece<3> piece, const Exact_point<3>& origin)
 {
-  using namespace operators;
-  for (std::size_t k = 0; k < 3; ++k) piece.numerator[k] = at_true_degree(subtract(piece.numerator[k], multiply(piece.weight, origin[k])));
+  for (std::size_t k = 0; k < 3; ++k) piece.numerator[k] = subtract(piece.numerator[k], multiply(piece.weight, origin[k]));
   return piece;
 }
 
@@ -56,13 +55,11 @@ inline std::vector<Ruled_chart> point_curve_bisector_charts(const Exact_point<3>
     relative[k].hi -= point[k];
   }
   std::vector<Ruled_chart> charts;
-  for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
-    const Plane_pencil planes = detail::point_curve_planes(detail::seen_from(curve.pieces()[i], point));
-    for (Ruled_chart& chart : planes.charts(i, curve.chain().pieces[i], relative)) {
-      chart.map = detail::moved_by(std::move(chart.map), point);
-      chart.map.range[1] = detail::finite_piece(coordinates[chart.coordinate].lo, coordinates[chart.coordinate].hi);
-      charts.push_back(std::move(chart));
-    }
+  for (std::size_t i = 0; i < curve.pieces().size(); ++i)
+    collect_charts(i, detail::seen_from(curve.pieces()[i], point), curve.chain().pieces[i], detail::point_curve_planes, relative, charts);
+  for (Ruled_chart& chart : charts) {
+    chart.map = detail::moved_by(std::move(chart.map), point);
+    chart.map.range[1] = detail::finite_piece(coordinates[chart.coordinate].lo, coordinates[chart.coordinate].hi);
   }
   return charts;
 }

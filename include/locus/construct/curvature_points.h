@@ -4,10 +4,12 @@
 
 #include <locus/constraint/curvature_forms.h>
 #include <locus/construct/curve_evaluator.h>
+#include <locus/construct/extent.h>
 #include <locus/construct/locus.h>
 #include <locus/construct/parameter_range.h>
 #include <locus/shape/cusps.h>
-#include <locus/shape/framed.h>
+
+#include <chrono>
 
 namespace locus {
 
@@ -58,6 +60,8 @@ struct Curvature_analysis {
   std::vector<Equation_info> equations;     ///< names and, for each, the greatest degree of a piece
   /// Pieces of which nothing is listed since it holds everywhere: "straight", "constant curvature", "plane".
   std::vector<Degenerate_piece> degenerate;
+  double scale = 1;   ///< the curve's diameter (of its control polygon's bounding box)
+  double seconds = 0; ///< it took
 };
 
 namespace detail {
@@ -177,6 +181,7 @@ public:
     std::vector<Exact_point<Dim>> points;
     collect_control_points(curve, points);
     frame_ = fitting_frame<Dim>(points);
+    analysis_.scale = frame_.length(Interval(extent_in<Dim>(frame_, points).scale)).sup();
     for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
       pieces_.push_back(in_frame(curve.pieces()[i], frame_));
       forms_.emplace_back(pieces_.back());
@@ -462,7 +467,8 @@ inline std::vector<Curvature_point<3>> torsion_zeros(const Rational_curve<3>& cu
 template <int Dim>
 Curvature_analysis<Dim> analyse_curvature(const Rational_curve<Dim>& curve)
 {
-  return with_upward_rounding([&] {
+  const auto start = std::chrono::steady_clock::now();
+  Curvature_analysis<Dim> analysis = with_upward_rounding([&] {
     detail::Curvature_search<Dim> search(curve);
     search.find_critical_points();
     search.find_inflections();
@@ -471,6 +477,8 @@ Curvature_analysis<Dim> analyse_curvature(const Rational_curve<Dim>& curve)
     search.note_degenerate_pieces();
     return search.result();
   });
+  analysis.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return analysis;
 }
 
 /// The circle that touches a curve to the second order, exactly.

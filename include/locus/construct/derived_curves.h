@@ -93,7 +93,7 @@ Rational_map<Dim, 1> radius_vector_map(const Rational_curve<Dim>& curve)
 /// rational: the centre c solves three linear equations, ⟨x'⁽ᵏ⁾, c - x⟩ = 0, S/w⁴, 3⟨x',x''⟩, which give
 ///   (w³·T·p - S·w·β' + 3(w⟨D1,D2⟩ - w'S)β)/(w⁴·T),  T = `torsion_form`,
 /// of degree 8d-12 (4d-7 for a polynomial curve). Chen, Riesenfeld & Cohen show of (4.7) that it is not, but with the derivative
-/// by the curve's parameter in place of that by arc length; see `Printed_focal_curve`. Infinite where the torsion vanishes.
+/// by the curve's parameter in place of that by arc length; see `Focal_function`. Infinite where the torsion vanishes.
 inline Rational_map<3, 1> focal_curve_map(const Rational_curve<3>& curve)
 {
   return detail::map_of_pieces(curve, [](const Curve_piece<3>& piece, const std::array<Piece, 1>& range) -> std::optional<Rational_map_piece<3, 1>> {

@@ -13,11 +13,12 @@ namespace locus {
 // (straight ones, for all but the first) give none.
 
 enum class Ruled_kind : unsigned char {
-  tangent_developable,    ///< x + λD1: degree 2d-2
-  normal_scroll,          ///< x + λ·β×D1: degree 5d-8
-  binormal_scroll,        ///< x + λβ: degree 3d-6, at least d
-  rectifying_developable, ///< x + λ(S·T·D1 + w·⟨β,β⟩β), along Darboux's vector τT̄ + κB̄: degree 10d-18, at least d
-  polar_developable       ///< centre of curvature + λβ, the focal surface: degree 9d-12; `polar_developable_charts` has less
+  // Degrees, in brackets those of a polynomial curve, and never less than d:
+  tangent_developable,    ///< x + λD1: 2d-2 (d)
+  normal_scroll,          ///< x + λ·β×D1: 5d-8 (3d-5)
+  binormal_scroll,        ///< x + λβ: 3d-6 (2d-4)
+  rectifying_developable, ///< x + λ(S·T·D1 + w·⟨β,β⟩β), along Darboux's vector τT̄ + κB̄: 10d-18 (6d-12)
+  polar_developable       ///< centre of curvature + λβ, the focal surface: 9d-12 (5d-7); `polar_developable_charts` has less
 };
 
 constexpr const char* name_of(Ruled_kind k)
@@ -91,21 +92,22 @@ inline Rational_map<3, 2> tangent_developable_by_polar_form(const Rational_curve
 }
 
 /// The polar developable as the lines in which the normal plane meets its neighbour: ⟨D1,X⟩ = ⟨D1,p⟩/w and
-/// ⟨D2,X⟩ = ⟨D2,p⟩/w + S/w². By the direct approach (see `Plane_pencil::charts`) of degree 6d-6, in as many charts as needed.
+/// ⟨D2,X⟩ = ⟨D2,p⟩/w + S/w². By the direct approach (see `Plane_pencil::charts`) of degree 6d-6 (3d-3), in as many charts as needed.
 inline std::vector<Ruled_chart> polar_developable_charts(const Rational_curve<3>& curve, const Coordinate_ranges& coordinates)
 {
   using namespace operators;
-  std::vector<Ruled_chart> charts;
-  for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
-    const Curve_piece<3>& piece = curve.pieces()[i];
+  const auto make_planes = [](const Curve_piece<3>& piece) {
     const Bernstein<Rational, 1>& w = piece.weight;
     Plane_pencil planes;
     planes.normal = {Derivative_vectors<3>(piece).d1(), {}};
     planes.normal[1] = derivative(planes.normal[0]);
     planes.side = {w * dot(planes.normal[0], piece.numerator), w * dot(planes.normal[1], piece.numerator) + square(planes.normal[0])};
     planes.denominator = w * w;
-    for (Ruled_chart& chart : planes.charts(i, curve.chain().pieces[i], coordinates)) charts.push_back(std::move(chart));
-  }
+    return planes;
+  };
+  std::vector<Ruled_chart> charts;
+  for (std::size_t i = 0; i < curve.pieces().size(); ++i)
+    collect_charts(i, curve.pieces()[i], curve.chain().pieces[i], make_planes, coordinates, charts);
   return charts;
 }
 

@@ -2,17 +2,10 @@
 #ifndef LOCUS_CONSTRUCT_PLANE_CYLINDER_H
 #define LOCUS_CONSTRUCT_PLANE_CYLINDER_H
 
+#include <locus/construct/mesh_options.h>
 #include <locus/construct/untrimmed_bisector_2.h>
-#include <locus/function/checkpoint.h>
 
 namespace locus {
-
-/// How surfaces are drawn.
-struct Mesh_options {
-  double tolerance = 1e-3;          ///< greatest distance between mesh and surface, as a part of the inputs' diameter
-  std::size_t max_cells = 400000;   ///< to look at
-  Checkpoint checkpoint;            ///< may stop the work
-};
 
 namespace detail {
 

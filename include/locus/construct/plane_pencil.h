@@ -30,16 +30,13 @@ struct Plane_pencil {
   /// The direct approach of Chen, Riesenfeld & Cohen (5.13): one coordinate is the ruling parameter. A piece is split until on
   /// each part one component of the planes' line direction, without its common factor, has Bernstein coefficients of one
   /// strict sign, so that the chart of that coordinate covers the part. The components then have no common zero, so this ends.
+  /// An infinite range must need one chart only (see `collect_charts`): a part of its local coordinate is no part of a range's.
   std::vector<Ruled_chart> charts(std::size_t piece, const Piece& range, const Coordinate_ranges& coordinates) const
   {
     std::vector<Ruled_chart> found;
-    if (is_degenerate()) return found;
-    const Polynomial_vector<1, 3> direction = detail::without_common_factor(cross(normal[0], normal[1]));
-    std::vector<Part> parts;
-    split_by_signs(direction, {0, 1, 0}, parts);
-    for (const Part& part : parts) {
+    for (const Part& part : parts()) {
       detail::Ruled_forms forms = forms_by_coordinate(part.coordinate);
-      const Piece over = part_of(range, part);
+      const Piece over = part.lo == 0 && part.hi == 1 ? range : detail::finite_piece(*range.at(part.lo), *range.at(part.hi));
       for (auto* vector : {&forms.point, &forms.generator})
         for (auto& f : *vector) f = restrict_to(f, 0, part.lo, part.hi);
       forms.weight = restrict_to(forms.weight, 0, part.lo, part.hi);
@@ -47,6 +44,9 @@ struct Plane_pencil {
     }
     return found;
   }
+
+  /// How many charts that needs.
+  std::size_t chart_count() const { return parts().size(); }
 
   /// The explicit approach (5.10): the directrix lies in the plane through the origin across the ruling, so it is the point of
   /// the ruling next to the origin; the generator is the planes' line direction without its common factor.
@@ -68,6 +68,13 @@ private:
     Rational lo, hi;
     std::size_t coordinate;
   };
+
+  std::vector<Part> parts() const
+  {
+    std::vector<Part> found;
+    if (!is_degenerate()) split_by_signs(detail::without_common_factor(cross(normal[0], normal[1])), {0, 1, 0}, found);
+    return found;
+  }
 
   /// X = (s₀·n₁×e + s₁·e×n₀ + λ·d·n₀×n₁)/(d·⟨e, n₀×n₁⟩) for the unit vector e of a coordinate.
   detail::Ruled_forms forms_by_coordinate(std::size_t k) const
@@ -114,17 +121,22 @@ private:
     split_by_signs(left, {part.lo, mid, 0}, parts);
     split_by_signs(right, {mid, part.hi, 0}, parts);
   }
-
-  /// The values of the curve's parameter on a part. An infinite piece must not be cut: its local coordinate is projective, and
-  /// the part's would be another.
-  static Piece part_of(const Piece& range, const Part& part)
-  {
-    if (part.lo == 0 && part.hi == 1) return range;
-    if (!range.is_finite())
-      throw Unsupported_feature("a ruled surface over an infinite piece that needs more than one chart (cut the domain)");
-    return detail::finite_piece(*range.at(part.lo), *range.at(part.hi));
-  }
 };
+
+/// The charts of a curve piece by the pencil that `make_planes` gives for it. Towards infinity the piece is cut in its parameter
+/// until each part needs one chart.
+template <class Make>
+void collect_charts(std::size_t index, const Curve_piece<3>& piece, const Piece& range, const Make& make_planes,
+                    const Coordinate_ranges& coordinates, std::vector<Ruled_chart>& charts)
+{
+  const Plane_pencil planes = make_planes(piece);
+  if (range.is_finite() || planes.chart_count() < 2) {
+    for (Ruled_chart& chart : planes.charts(index, range, coordinates)) charts.push_back(std::move(chart));
+    return;
+  }
+  for (const Piece& part : detail::split_range(range, *range.at(Rational(1, 2))))
+    collect_charts(index, detail::part_over(piece, range, part), part, make_planes, coordinates, charts);
+}
 
 } // namespace locus
 

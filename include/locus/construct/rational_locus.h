@@ -222,12 +222,16 @@ private:
   void note_single_point(std::size_t i)
   {
     const Arc_point<Dim> p = work_->at(i, Interval(0.5));
-    Locus_vertex<Dim> v;
-    v.kind = Vertex_kind::isolated;
-    v.point = p.point();
-    v.radius = p.radius();
-    v.feet.push_back(foot_at(i, Interval(0, 1)));
-    data_.vertices.push_back(std::move(v));
+    // The pieces of one circle have one vertex, with a foot for each.
+    const bool again = i > 0 && last_stretch_[i - 1] == none && images_meet(i - 1, i);
+    if (!again) {
+      Locus_vertex<Dim> v;
+      v.kind = Vertex_kind::isolated;
+      v.point = p.point();
+      v.radius = p.radius();
+      data_.vertices.push_back(std::move(v));
+    }
+    data_.vertices.back().feet.push_back(foot_at(i, Interval(0, 1)));
     Degenerate_piece d;
     d.kind = "centre";
     d.input = 0;

@@ -13,7 +13,8 @@ namespace locus {
 /// sheet on the left in the parameters.
 struct Sheet_boundary {
   /// Why the sheet ends: at the end of its parameters ("domain"), where it was cut off at the cut radius ("infinity"),
-  /// around a point where it is proved to be 0/0 ("singular"), at a part about which nothing is claimed ("undecided").
+  /// around a point where it is proved to be 0/0 or a hole that was asked for ("singular"), at a part about which nothing
+  /// is claimed ("undecided").
   /// Of a loop with several causes the first of "infinity", "singular", "undecided" that occurs.
   std::string kind;
   std::vector<std::size_t> loop;

@@ -13,7 +13,7 @@ template <std::size_t N>
 Bernstein<Rational, 1> minor_of(const std::vector<Polynomial_vector<1, N>>& rows, std::size_t row,
                                 const std::vector<std::size_t>& columns)
 {
-  if (columns.size() == 1) return rows[row][columns[0]];
+  if (columns.size() == 1) return at_true_degree(rows[row][columns[0]]);
   Bernstein<Rational, 1> sum(Degrees<1>{0});
   for (std::size_t k = 0; k < columns.size(); ++k) {
     std::vector<std::size_t> others = columns;

@@ -34,19 +34,23 @@ void write_curvature_point(Json_writer& json, const Curvature_point<Dim>& p)
 
 } // namespace detail
 
-/// Writes the points of a curve's curvature as JSON; the keys are listed in doc/.
+/// Writes the points of a curve's curvature as JSON; the keys are listed in doc/. Joints of `inputs` that were taken as smooth
+/// by tolerance are listed.
 template <int Dim>
-void write_json(std::ostream& out, const Curvature_analysis<Dim>& analysis)
+void write_json(std::ostream& out, const Curvature_analysis<Dim>& analysis, const std::vector<Rational_curve<Dim>>& inputs = {})
 {
   using detail::Json_writer;
   Json_writer json(out);
   json.open('{').line(2).key("compute").value("curvature").line(2).key("status").value("certified");
+  json.line(2).key("scale").value(analysis.scale);
   detail::write_lines(json, "equations", analysis.equations, [](Json_writer& j, const Equation_info& e) {
     j.open('{').key("name").value(e.name).key("degrees").list(e.degrees).close('}');
   });
   detail::write_lines(json, "vertices", analysis.points, [](Json_writer& j, const Curvature_point<Dim>& p) { detail::write_curvature_point(j, p); });
   detail::write_lines(json, "degenerate", analysis.degenerate, detail::write_degenerate);
+  detail::write_tolerated_joints(json, inputs);
   json.line(2).key("undecided").open('[').close(']');
+  json.line(2).key("statistics").open('{').key("seconds").value(analysis.seconds).close('}');
   json.finish();
 }
 

@@ -157,6 +157,14 @@ std::vector<Tolerated_joint> tolerated_joints(const std::vector<Rational_curve<D
   return found;
 }
 
+template <int Dim>
+void write_tolerated_joints(Json_writer& json, const std::vector<Rational_curve<Dim>>& inputs)
+{
+  write_lines(json, "joined_by_tolerance", tolerated_joints(inputs), [](Json_writer& j, const Tolerated_joint& t) {
+    j.open('{').key("input").value(t.input).key("parameter").value(t.parameter).close('}');
+  });
+}
+
 inline void write_degenerate(Json_writer& json, const Degenerate_piece& d)
 {
   json.open('{').key("kind").value(d.kind);
@@ -208,10 +216,7 @@ Status write_json(std::ostream& out, const Locus<Dim>& locus, double tolerance =
     j.open('{').key("arcs").list(r.arcs).key("reason").value(r.reason).close('}');
   });
   detail::write_lines(json, "degenerate", locus.degenerate(), detail::write_degenerate);
-  detail::write_lines(json, "joined_by_tolerance", detail::tolerated_joints(inputs),
-                      [](Json_writer& j, const detail::Tolerated_joint& t) {
-                        j.open('{').key("input").value(t.input).key("parameter").value(t.parameter).close('}');
-                      });
+  detail::write_tolerated_joints(json, inputs);
   detail::write_lines(json, "undecided", undecided, [](Json_writer& j, const Undecided_piece& u) {
     j.open('{').key("box").list(u.box).key("reason").value(u.reason).close('}');
   });

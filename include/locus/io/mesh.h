@@ -5,6 +5,7 @@
 #include <locus/construct/sheet.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <ostream>

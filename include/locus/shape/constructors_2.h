@@ -12,12 +12,12 @@ namespace locus {
 
 namespace detail {
 
-inline Exact_point<2> exact(const Coordinates_2& p) { return {p.x.value(), p.y.value()}; }
-
-inline std::vector<Exact_point<2>> exact(const std::vector<Coordinates_2>& points)
+/// Points as users write them.
+template <class Coordinates>
+auto exact(const std::vector<Coordinates>& points)
 {
-  std::vector<Exact_point<2>> out;
-  for (const Coordinates_2& p : points) out.push_back(exact(p));
+  std::vector<decltype(points[0].exact())> out;
+  for (const Coordinates& p : points) out.push_back(p.exact());
   return out;
 }
 
@@ -72,26 +72,33 @@ inline Curve_2 bspline_2(int degree, const std::vector<Coordinates_2>& points, c
 
 /// The segments from point to point, vertex k at the parameter k; `closed` adds the one from the last to the first.
 /// Throws Invalid_input for fewer than two points, or one that repeats the point before it.
-inline Curve_2 polyline_2(const std::vector<Coordinates_2>& points, bool closed = false)
+template <int Dim>
+Rational_curve<Dim> polyline_curve(std::vector<Exact_point<Dim>> vertices, bool closed = false)
 {
-  std::vector<Exact_point<2>> vertices = detail::exact(points);
-  if (vertices.size() < 2)
-    throw Invalid_input(".points", "a polyline needs at least 2 points, not " + std::to_string(vertices.size()), "add some");
+  const std::size_t given = vertices.size();
+  if (given < 2)
+    throw Invalid_input(".points", "a polyline needs at least 2 points, not " + std::to_string(given), "add some");
   if (closed) vertices.push_back(vertices[0]);
   for (std::size_t i = 1; i < vertices.size(); ++i)
     if (vertices[i] == vertices[i - 1])
-      throw Invalid_input(".points[" + std::to_string(i % points.size()) + "]", "repeats the point before it", "leave it out");
+      throw Invalid_input(".points[" + std::to_string(i % given) + "]", "repeats the point before it", "leave it out");
   std::vector<Rational> knots{0};
   for (std::size_t i = 0; i < vertices.size(); ++i) knots.push_back(static_cast<long>(i));
   knots.push_back(knots.back());
-  return bspline_curve<2>(1, vertices, knots, {}, closed);
+  return bspline_curve<Dim>(1, vertices, knots, {}, closed);
+}
+
+/// Polyline in the plane; see `polyline_curve`.
+inline Curve_2 polyline_2(const std::vector<Coordinates_2>& points, bool closed = false)
+{
+  return polyline_curve<2>(detail::exact(points), closed);
 }
 
 namespace detail {
 
 inline Curve_2 straight_curve(const Coordinates_2& point, const Coordinates_2& direction, const Parameter_domain& domain)
 {
-  const Exact_point<2> p = exact(point), d = exact(direction);
+  const Exact_point<2> p = point.exact(), d = direction.exact();
   if (d[0] == 0 && d[1] == 0)
     throw Invalid_input(".direction", "a direction must not be zero", "give a vector along the line");
   return monomial_curve<2>({{{p[0], d[0]}, {p[1], d[1]}}}, {}, domain);
@@ -117,11 +124,11 @@ inline Curve_2 ray_2(const Coordinates_2& point, const Coordinates_2& direction)
 /// one rational function. Throws Invalid_input if p and q are parallel.
 inline Curve_2 ellipse_2(const Coordinates_2& centre, const Coordinates_2& p, const Coordinates_2& q)
 {
-  const Exact_point<2> a = detail::exact(p), b = detail::exact(q);
+  const Exact_point<2> a = p.exact(), b = q.exact();
   if (a[0] * b[1] == a[1] * b[0])
     throw Invalid_input(".half_diameters", "the conjugate half diameters of an ellipse must not be parallel",
                         "use a segment instead");
-  return detail::conic_around(detail::exact(centre), a, b);
+  return detail::conic_around(centre.exact(), a, b);
 }
 
 /// The ellipse with axes along the coordinate axes, half as long as `a` and `b`, counterclockwise from centre + (a, 0); see
@@ -146,7 +153,7 @@ inline Curve_2 circle_2(const Coordinates_2& centre, const Number& radius)
 /// on [0,2] that are one rational function. Throws Invalid_input if the ends coincide.
 inline Curve_2 arc_2(const Coordinates_2& start, const Coordinates_2& end, const Number& bulge)
 {
-  const Exact_point<2> a = detail::exact(start), b = detail::exact(end);
+  const Exact_point<2> a = start.exact(), b = end.exact();
   if (a == b) throw Invalid_input(".end", "the ends of an arc must differ", "use circle_2 for a whole circle");
   const Rational t = bulge.value(), t2 = t * t;
   if (t == 0) return bezier_curve<2>({a, b});

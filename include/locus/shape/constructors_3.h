@@ -14,20 +14,9 @@ using Curve_3 = Rational_curve<3>;
 /// Coordinates as users write them: {0, 1, 2}, {0.5, "1/3", 0}.
 struct Coordinates_3 {
   Number x, y, z;
+
+  Exact_point<3> exact() const { return {x.value(), y.value(), z.value()}; }
 };
-
-namespace detail {
-
-inline Exact_point<3> exact(const Coordinates_3& p) { return {p.x.value(), p.y.value(), p.z.value()}; }
-
-inline std::vector<Exact_point<3>> exact(const std::vector<Coordinates_3>& points)
-{
-  std::vector<Exact_point<3>> out;
-  for (const Coordinates_3& p : points) out.push_back(exact(p));
-  return out;
-}
-
-} // namespace detail
 
 /// Bézier curve in space, e.g. `bezier_3({{0, 0, 0}, {1, 2, 0}, {2, "1/2", 1}})`; see `bezier_curve`.
 inline Curve_3 bezier_3(const std::vector<Coordinates_3>& points, const std::vector<Number>& weights = {})
@@ -43,6 +32,12 @@ inline Curve_3 bspline_3(int degree, const std::vector<Coordinates_3>& points, c
                          const std::vector<Number>& weights = {}, bool closed = false)
 {
   return bspline_curve<3>(degree, detail::exact(points), detail::exact(knots), detail::exact(weights), closed);
+}
+
+/// Polyline in space; see `polyline_curve`.
+inline Curve_3 polyline_3(const std::vector<Coordinates_3>& points, bool closed = false)
+{
+  return polyline_curve<3>(detail::exact(points), closed);
 }
 
 /// Bézier surface on the unit square, control points row by row, e.g.

@@ -159,13 +159,15 @@ using Curve_2 = Rational_curve<2>;
 /// Coordinates as users write them: {0, 1}, {0.5, "1/3"}.
 struct Coordinates_2 {
   Number x, y;
+
+  Exact_point<2> exact() const { return {x.value(), y.value()}; }
 };
 
 /// Bézier curve in the plane, e.g. `bezier_2({{0, 0}, {1, 2}, {2, "1/2"}})`; see `bezier_curve`.
 inline Curve_2 bezier_2(const std::vector<Coordinates_2>& points, const std::vector<Number>& weights = {})
 {
   std::vector<Exact_point<2>> exact;
-  for (const Coordinates_2& p : points) exact.push_back({p.x.value(), p.y.value()});
+  for (const Coordinates_2& p : points) exact.push_back(p.exact());
   std::vector<Rational> exact_weights;
   for (const Number& w : weights) exact_weights.push_back(w.value());
   return bezier_curve<2>(exact, exact_weights);
