@@ -456,3 +456,36 @@ TEST_CASE("drawn evolutes keep to their error, in space too", "[derived]")
   }
   LOCUS_REQUIRE_SAMPLES(samples, 500);
 }
+
+TEST_CASE("the focal function: exact by arc length, |x'| times as far from the centre of curvature by the parameter", "[derived]")
+{
+  const auto curve = bspline_3(3, {{0, 0, 0}, {1, 2, 1}, {2, -1, 3}, {3, 1, 2}, {5, 2, 0}}, {0, 0, 0, 0, 2, 5, 5, 5, 5}, {1, 2, 1, 3, 1});
+  const Focal_function focal(curve);
+  const auto spheres = focal_curve_map(curve), centres = evolute_map(curve);
+  for (const Rational& u : {Rational(1, 3), Rational(3, 2), Rational(7, 2)}) {
+    const std::size_t k = u < 2 ? 0 : 1;
+    const Piece& range = curve.chain().pieces[k];
+    const Rational s = range.local(u), length = range.hi - range.lo;
+    const auto sphere = image(spheres.pieces()[k], {s}), centre = image(centres.pieces()[k], {s});
+    const auto by_length = focal.at(u, Focal_derivative::arc_length), by_parameter = focal.at(u, Focal_derivative::parameter);
+    REQUIRE((sphere && centre && by_length && by_parameter));
+    // |x'|² by the quotient rule, from values of numerator, weight and their derivatives.
+    const Curve_piece<3>& piece = curve.pieces()[k];
+    const Rational w = evaluate_at(piece.weight, s), dw = evaluate_at(derivative(piece.weight), s);
+    Rational speed2 = 0;
+    for (const auto& p : piece.numerator) {
+      const Rational d = (evaluate_at(derivative(p), s) * w - evaluate_at(p, s) * dw) / (w * w * length);
+      speed2 += d * d;
+    }
+    for (std::size_t v = 0; v < 3; ++v) {
+      CHECK((Rational((*by_length)[v].lo) <= (*sphere)[v] && (*sphere)[v] <= Rational((*by_length)[v].hi)));
+      const Rational step = (*sphere)[v] - (*centre)[v], lo = Rational((*by_parameter)[v].lo) - (*centre)[v], hi = Rational((*by_parameter)[v].hi) - (*centre)[v];
+      CHECK(sgn(lo) == sgn(step));
+      const Rational exact = speed2 * step * step, a = lo * lo, b = hi * hi;
+      CHECK((std::min(a, b) <= exact && exact <= std::max(a, b)));
+      CHECK(Rational(hi - lo) < abs(step) / 1000000);
+    }
+  }
+  CHECK_THROWS_AS(focal.at(Rational(6), Focal_derivative::arc_length), Invalid_input);
+  CHECK_FALSE(Focal_function(bezier_3({{0, 0, 0}, {1, 2, 0}, {2, 0, 0}, {3, 1, 0}})).at(Rational(1, 2), Focal_derivative::arc_length).has_value());
+}

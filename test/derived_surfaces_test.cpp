@@ -370,3 +370,53 @@ TEST_CASE("a plane curve and a point of its plane: the ruled bisector is a cylin
   }
   LOCUS_REQUIRE_SAMPLES(samples, 50);
 }
+
+TEST_CASE("where three planes share a line, the surface is cut around it and nothing stays undecided", "[derived]")
+{
+  const auto a = bezier_3({{1, 0, 0}, {1, 1, 1}, {-1, 1, 2}}), b = bezier_3({{3, 0, 0}, {3, 1, 2}, {2, 2, 1}, {3, 3, 0}});
+  Mesh_options options;
+  options.max_cells = 60000;
+  const auto locus = untrimmed_bisector(a, b, options);
+  CHECK(locus.status() == Status::certified);
+  CHECK(locus.sheets().size() == 2u);
+  REQUIRE(locus.degenerate().size() == 1u);
+  CHECK(locus.degenerate()[0].kind == "line");
+  // Next to the place, by the planes' equations alone: what two planes have in common is nearly in the third.
+  const auto& box = locus.degenerate()[0].box;
+  const double t = 0.5 * (box[0].lo + box[0].hi), r = 0.5 * (box[1].lo + box[1].hi);
+  CHECK(box[0].hi - box[0].lo < 1e-9);
+  const auto& map = locus.rational_surface()->pieces()[0];
+  const std::array<Rational, 2> at{Rational(t), Rational(r)};
+  double greatest = std::abs(evaluate(map.weight, at).get_d());
+  for (const auto& f : map.numerator) greatest = std::max(greatest, std::abs(evaluate(f, at).get_d()));
+  CHECK(greatest < 1e-8);
+  // A hole is worth it: without the base point's own treatment there would be an error of the cut radius' size.
+  for (const auto& sheet : locus.sheets()) CHECK(sheet.error < 0.1 * locus.scale());
+}
+
+TEST_CASE("an ellipse on the whole line: charts towards infinity, one sheet for all of it", "[derived]")
+{
+  const Curve_3 ellipse = monomial_curve<3>({{{2, 0, -2}, {0, 2}, {0}}}, {1, 0, 1}, {});
+  const Exact_point<3> inside{Rational(1, 2), 0, Rational(1, 3)};
+  const auto locus = untrimmed_bisector(inside, ellipse, coarse());
+  CHECK(locus.status() == Status::certified);
+  CHECK(locus.scale() > std::sqrt(20.0) - 1e-9); // of its bounding box, although a control point is at infinity
+  CHECK(locus.sheets().size() == 1u);
+  REQUIRE(locus.rational_surface().has_value());
+  for (const auto& chart : locus.rational_surface()->pieces())
+    for (const Rational& u : {Rational(1, 7), Rational(6, 7)})
+      for (const Rational& v : {Rational(0), Rational(2, 3)}) {
+        const auto x = image(chart, {u, v});
+        REQUIRE(x.has_value());
+        const auto parameter = chart.range[0].at(u);
+        REQUIRE(parameter.has_value());
+        const Rational q = 1 + *parameter * *parameter;
+        const Exact_point<3> foot{Rational((2 - 2 * *parameter * *parameter) / q), Rational(2 * *parameter / q), Rational(0)};
+        Rational difference = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Rational to_foot = (*x)[k] - foot[k], to_point = (*x)[k] - inside[k];
+          difference += to_foot * to_foot - to_point * to_point;
+        }
+        CHECK(difference == 0);
+      }
+}

@@ -229,6 +229,8 @@ int space_bisector(const Settings& settings, const locus::Job& job, double toler
       return bisector_in_space(job.inputs[0], job.inputs[1], options);
     } catch (const locus::Invalid_input& e) {
       throw e.within("inputs[1]"); // one point twice
+    } catch (const locus::Unsupported_feature& e) {
+      throw locus::Unsupported_feature("inputs: " + std::string(e.what()));
     }
   }();
   watched.done();

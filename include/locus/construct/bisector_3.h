@@ -121,7 +121,7 @@ public:
 
   Locus<3> finish(const Degrees<2>& degrees, std::optional<Rational_map<3, 2>> rational)
   {
-    data_.equations.push_back({"bisector surface", {degrees[0], degrees[1]}});
+    if (degrees != Degrees<2>{}) data_.equations.push_back({"bisector surface", {degrees[0], degrees[1]}});
     if (rational && !rational->pieces().empty()) data_.rational_surface = std::move(rational);
     data_.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     return Locus<3>(std::move(data_));

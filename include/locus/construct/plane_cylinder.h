@@ -95,7 +95,7 @@ inline Rational_curve<3> single_piece(const Rational_curve<3>& curve, std::size_
 inline bool are_coplanar(const Curve_piece<3>& a, const Curve_piece<3>& b)
 {
   std::vector<Exact_point<3>> points;
-  for (const auto* piece : {&a, &b}) collect_control_points(Rational_curve<3>({*piece}, Chain()), points);
+  for (const auto* piece : {&a, &b}) collect_control_points(*piece, points);
   return common_plane(points).has_value();
 }
 
