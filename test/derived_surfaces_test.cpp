@@ -317,8 +317,9 @@ void check_cylinder(const Curve_3& a, const Curve_3& b, const Vector& normal, co
       samples.expect(std::abs(length(to_x) - length(to_y)) < 1e-7 * size && std::abs(length(to_x) - sheet.radius[i]) < 1e-7 * size, "equidistant");
       samples.expect(std::abs(dot(to_x, x.tangents[0])) < bound * length(x.tangents[0]) && std::abs(dot(to_x, x.tangents[0])) < 1e-7 * size * length(x.tangents[0]), "perpendicular to the first");
       samples.expect(std::abs(dot(to_y, y.tangents[0])) < 1e-7 * size * length(y.tangents[0]), "perpendicular to the second");
-      // Over and under the plane at the cut radius.
-      samples.expect(std::abs(std::abs(dot(to_x, normal)) - locus.cut_radius()) < 1e-9 * size, "height");
+      // Over and under the plane, so far that the cut radius is covered wherever the inputs' middle is.
+      const double height = std::abs(dot(to_x, normal));
+      samples.expect(height >= locus.cut_radius() + locus.scale() && height <= 2 * locus.cut_radius(), "height");
     }
   LOCUS_REQUIRE_SAMPLES(samples, 40);
 }
@@ -391,7 +392,7 @@ TEST_CASE("where three planes share a line, the surface is cut around it and not
   for (const auto& f : map.numerator) greatest = std::max(greatest, std::abs(evaluate(f, at).get_d()));
   CHECK(greatest < 1e-8);
   // A hole is worth it: without the base point's own treatment there would be an error of the cut radius' size.
-  for (const auto& sheet : locus.sheets()) CHECK(sheet.error < 0.1 * locus.scale());
+  for (const auto& sheet : locus.sheets()) CHECK(sheet.error < 0.2 * locus.scale());
 }
 
 TEST_CASE("an ellipse on the whole line: charts towards infinity, one sheet for all of it", "[derived]")

@@ -112,16 +112,6 @@ public:
   }
   void clear() { bar_.clear(); }
 
-  /// Throws where the time is over, or an interrupt came.
-  locus::Checkpoint checkpoint() const
-  {
-    const auto start = std::chrono::steady_clock::now();
-    return [this, start] {
-      if (control.is_cancelled() || std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > control.max_seconds)
-        throw locus::Stopped();
-    };
-  }
-
   locus::Solve_control control;
 
 private:
@@ -181,6 +171,8 @@ int planar_curvature(const Settings& settings, const locus::Job& job, double tol
   const locus::Locus<2> evolute = locus::evolute(curve);
   const auto analysis = locus::analyse_curvature(curve);
   locus::Status status = locus::Status::certified;
+  for (const auto& arc : evolute.arcs())
+    if (job.compute == "evolute" && !std::isfinite(arc.polyline(tolerance).error())) status = locus::Status::undecided;
   if (const std::string json = json_file(settings); !json.empty())
     write_output(json, [&](std::ostream& out) {
       if (job.compute == "curvature") locus::write_json(out, analysis, {curve});
@@ -222,8 +214,7 @@ int space_bisector(const Settings& settings, const locus::Job& job, double toler
   locus::Mesh_options options;
   options.tolerance = tolerance;
   if (settings.max_cells) options.max_cells = *settings.max_cells;
-  options.checkpoint = watched.checkpoint();
-  options.progress = watched.control.progress;
+  options.control = watched.control;
   const locus::Locus<3> result = [&] {
     try {
       return bisector_in_space(job.inputs[0], job.inputs[1], options);

@@ -34,18 +34,24 @@ public:
   }
 
   /// Those that are regular solutions. What the search leaves open stays open in the drawing.
-  std::vector<Base_point> run(const Rational_map_piece<3, 2>& piece, double cut_radius, double tolerance) const
+  std::vector<Base_point> run(const Rational_map_piece<3, 2>& piece, double cut_radius, double tolerance, const Solve_control& control) const
   {
     using namespace operators;
     // The numerator is a multiple of the common line's direction there, which this vector is hardly across to.
     const Bernstein<Rational, 2> along = 3 * piece.numerator[0] + 5 * piece.numerator[1] + 7 * piece.numerator[2];
     const Equations<2> equations{std::make_shared<const Polynomial_equation<2>>(piece.weight),
                                  std::make_shared<const Polynomial_equation<2>>(along)};
-    Solve_control control;
     const Point_set<2> set = solve_points<2>(equations, control, {});
     std::vector<Base_point> found;
-    for (const auto& p : set.points)
-      if (auto base = examine(p.box, cut_radius, tolerance)) found.push_back(*base);
+    for (const auto& p : set.points) {
+      const auto base = examine(p, cut_radius, tolerance);
+      const auto meets = [&](const Base_point& other) {
+        for (std::size_t k = 0; k < 2; ++k)
+          if (base->hole.lo[k] >= other.hole.hi[k] || base->hole.hi[k] <= other.hole.lo[k]) return false;
+        return true;
+      };
+      if (base && std::none_of(found.begin(), found.end(), meets)) found.push_back(*base);
+    }
     return found;
   }
 
@@ -75,10 +81,13 @@ private:
     return CGAL::sqrt(CGAL::square(x) + CGAL::square(y) + CGAL::square(z));
   }
 
+  /// The hole is all inside the domain and holds no other solution: so its rim, on which the surface's point goes once to infinity
+  /// in both directions, runs along all of the line.
   /// A solution of weight = ⟨numerator, c⟩ = 0 is a base point if two of the planes have a line that is not across c: then the
   /// three normals have rank two, the numerator is a multiple of that line's direction, and so vanishes.
-  std::optional<Base_point> examine(const std::array<Interval, 2>& at, double cut_radius, double tolerance) const
+  std::optional<Base_point> examine(const Isolated_solution<2>& solution, double cut_radius, double tolerance) const
   {
+    const std::array<Interval, 2>& at = solution.box;
     const std::array<double, 2> centre{midpoint(at[0]), midpoint(at[1])};
     const std::array<double, 2> radius{width(at[0]), width(at[1])};
     std::optional<std::array<std::size_t, 2>> best;
@@ -99,11 +108,14 @@ private:
     for (double h = 0x1p-5; h > 0x1p-24; h *= 0.5) {
       base.distance = distance_to_line(*best, centre, h, cut_radius);
       if (!(base.distance <= tolerance)) continue;
+      bool fits = true;
       for (std::size_t k = 0; k < 2; ++k) {
         base.hole.lo[k] = centre[k] - h;
         base.hole.hi[k] = centre[k] + h;
+        const double lo = std::max(0.0, solution.unique_in.lo[k]), hi = std::min(1.0, solution.unique_in.hi[k]);
+        fits = fits && lo <= base.hole.lo[k] && base.hole.hi[k] <= hi;
       }
-      return base;
+      if (fits) return base;
     }
     return std::nullopt;
   }

@@ -43,42 +43,66 @@ private:
   std::vector<Parameter_range> ranges_;
 };
 
-/// What all bisectors in space share: extents of the inputs and the result being filled.
+/// A map in the coordinates of a frame.
+inline Rational_map_piece<3, 2> in_frame(Rational_map_piece<3, 2> piece, const Frame<3>& frame)
+{
+  Rational factor = 1;
+  if (frame.exponent >= 0) mpq_div_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<mp_bitcnt_t>(frame.exponent));
+  else mpq_mul_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<mp_bitcnt_t>(-frame.exponent));
+  for (std::size_t k = 0; k < 3; ++k)
+    piece.numerator[k] = multiply(subtract(piece.numerator[k], multiply(piece.weight, frame.origin[k])), factor);
+  return piece;
+}
+
+inline Rational_curve<3> in_frame(const Rational_curve<3>& curve, const Frame<3>& frame)
+{
+  std::vector<Curve_piece<3>> pieces;
+  for (const auto& piece : curve.pieces()) pieces.push_back(in_frame(piece, frame));
+  return Rational_curve<3>(std::move(pieces), curve.chain());
+}
+
+/// What all bisectors in space share: the frame in which surfaces are drawn, and the result being filled.
 class Bisector_3_maker {
 public:
   Bisector_3_maker(const std::vector<Exact_point<3>>& points, const Mesh_options& options)
-    : options_(options), start_(std::chrono::steady_clock::now())
+    : options_(options), start_(std::chrono::steady_clock::now()), frame_(fitting_frame<3>(points))
   {
-    const Frame<3> frame = fitting_frame<3>(points);
-    const Extent<3> extent = extent_in<3>(frame, points);
-    scale_ = exact_rational(frame.length(Interval(extent.scale)).sup());
-    if (scale_ == 0) scale_ = 1;
-    for (std::size_t k = 0; k < 3; ++k) centre_[k] = exact_rational(midpoint(frame.out_of(Interval(extent.centre[k]), k)));
-    data_.scale = nearest_double(scale_);
+    require_drawable(frame_);
+    extent_ = extent_in<3>(frame_, points);
+    if (extent_.scale == 0) extent_.scale = 1;
+    data_.scale = frame_.length(Interval(extent_.scale)).sup();
     data_.cut_radius = cut_factor * data_.scale;
-    for (std::size_t k = 0; k < 3; ++k) data_.centre[k] = nearest_double(centre_[k]);
+    for (std::size_t k = 0; k < 3; ++k) data_.centre[k] = midpoint(frame_.out_of(Interval(extent_.centre[k]), k));
     data_.compute = "bisector";
   }
 
   Locus_data<3>& data() { return data_; }
-  const Rational& scale() const { return scale_; }
+  const Frame<3>& frame() const { return frame_; }
+  Rational scale() const { return exact_rational(data_.scale); }
   const Mesh_options& options() const { return options_; }
 
   /// The inputs' surroundings, for charts over a coordinate.
   Coordinate_ranges surroundings() const
   {
     Coordinate_ranges ranges;
-    for (std::size_t k = 0; k < 3; ++k) ranges[k] = {Rational(centre_[k] - scale_), Rational(centre_[k] + scale_)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Rational middle = exact_rational(data_.centre[k]);
+      ranges[k] = {Rational(middle - scale()), Rational(middle + scale())};
+    }
     return ranges;
   }
 
+  /// Parameters and radius of a vertex, the latter in frame units like the point.
   using Describe = std::function<Vertex_description(std::size_t, double, double, const Approximate_point<3>&)>;
 
   /// Looks for base points of a piece; they become holes of what is drawn next, if it is the given one of its pieces.
   void find_base_points(const Curve_piece<3>& first, const Curve_piece<3>& second, const Rational_map_piece<3, 2>& piece, std::size_t index)
   {
-    const Base_point_search search(first, second, centre_);
-    for (const Base_point& p : search.run(piece, data_.cut_radius, options_.tolerance * data_.scale / 2)) {
+    Exact_point<3> centre;
+    for (std::size_t k = 0; k < 3; ++k) centre[k] = Rational(extent_.centre[k]);
+    const Base_point_search search(in_frame(first, frame_), in_frame(second, frame_), centre);
+    const double near = options_.tolerance * extent_.scale / 8;
+    for (const Base_point& p : search.run(in_frame(piece, frame_), cut_factor * extent_.scale, near, rest_of_control())) {
       holes_.push_back({index, p.hole});
       hole_error_ = std::max(hole_error_, 2 * p.distance);
       const Range t = Parameter_range(piece.range[0]).at(p.at[0]), r = Parameter_range(piece.range[1]).at(p.at[1]);
@@ -88,26 +112,29 @@ public:
 
   void draw(const Rational_map<3, 2>& map, const std::array<std::size_t, 2>& grid, const std::array<bool, 2>& closed, Describe describe)
   {
+    std::vector<Rational_map_piece<3, 2>> framed;
+    for (const auto& piece : map.pieces()) framed.push_back(in_frame(piece, frame_));
     Sheet_options o;
-    o.centre = data_.centre;
-    o.cut_radius = data_.cut_radius;
-    o.tolerance = options_.tolerance * data_.scale;
+    for (std::size_t k = 0; k < 3; ++k) o.centre[k] = extent_.centre[k];
+    o.cut_radius = cut_factor * extent_.scale;
+    o.tolerance = options_.tolerance * extent_.scale - hole_error_;
     o.max_cells = options_.max_cells;
     o.max_depth = 30; // near holes cells get small
     o.grid = grid;
     o.closed = closed;
     o.describe = std::move(describe);
-    o.checkpoint = options_.checkpoint;
-    o.progress = options_.progress;
+    o.checkpoint = [control = rest_of_control(), start = std::chrono::steady_clock::now()] {
+      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      if (control.is_cancelled() || seconds > control.max_seconds) throw Stopped();
+    };
+    o.progress = options_.control.progress;
     o.holes = std::move(holes_);
     holes_.clear();
-    Sheets drawn = rational_sheets(map, o);
-    for (Sheet& s : drawn.sheets) {
-      s.error = std::max(s.error, hole_error_);
-      data_.sheets.push_back(std::move(s));
-    }
+    Sheets drawn = rational_sheets(Rational_map<3, 2>(std::move(framed)), o);
+    for (Sheet& s : drawn.sheets) data_.sheets.push_back(out_of_frame(std::move(s)));
     for (Undecided_piece& u : drawn.undecided) data_.undecided.push_back(std::move(u));
     data_.statistics.cells += drawn.cells;
+    hole_error_ = 0;
   }
 
   void note(const char* kind, const std::vector<Range>& box, const std::string& reason)
@@ -127,20 +154,70 @@ public:
     return Locus<3>(std::move(data_));
   }
 
+  Mesh_options rest_of_options() const
+  {
+    Mesh_options rest = options_;
+    rest.control = rest_of_control();
+    return rest;
+  }
+
 private:
+  /// What is left of the time.
+  Solve_control rest_of_control() const
+  {
+    Solve_control rest = options_.control;
+    rest.max_seconds -= std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    return rest;
+  }
+
+  /// What was left out at holes is so near to what is drawn beside them that both errors add up; rounding comes on top.
+  Sheet out_of_frame(Sheet sheet) const
+  {
+    double rounding = 0;
+    for (auto& p : sheet.points) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Interval x = frame_.out_of(Interval(p[k]), k);
+        p[k] = representative(x);
+        sum += width(x);
+      }
+      rounding = std::max(rounding, sum);
+    }
+    for (double& r : sheet.radius) r = midpoint(frame_.length(Interval(r)));
+    sheet.error = (frame_.length(Interval(sheet.error) + Interval(hole_error_)) + Interval(rounding)).sup();
+    return sheet;
+  }
+
   Mesh_options options_;
   std::chrono::steady_clock::time_point start_;
-  Rational scale_ = 1;
-  Exact_point<3> centre_;
+  Frame<3> frame_;
+  Extent<3> extent_; ///< in the frame
   std::vector<Sheet_hole> holes_;
-  double hole_error_ = 0; ///< what is left out at holes is so near to what is drawn beside them
+  double hole_error_ = 0; ///< in the frame
   Locus_data<3> data_;
 };
+
+inline Approximate_point<3> framed_point(const Exact_point<3>& p, const Frame<3>& frame)
+{
+  Approximate_point<3> q;
+  for (std::size_t k = 0; k < 3; ++k) q[k] = nearest_double(frame.into(p[k], k));
+  return q;
+}
 
 inline std::vector<Range> whole_range(const Piece& piece)
 {
   const Parameter_range range(piece);
   return {{range.at(Interval(0)).lo, range.at(Interval(1)).hi}};
+}
+
+/// Where the curve passes through the point, its whole normal plane is equidistant.
+inline void note_point_on_curve(const Exact_point<3>& point, const Rational_curve<3>& curve, std::size_t i, Bisector_3_maker& maker)
+{
+  const Integer_polynomial common = common_factor(seen_from(curve.pieces()[i], point).numerator);
+  if (degree(common) < 1) return;
+  for (const auto& root : exact_roots(bernstein_form(common), Rational(0), Rational(1)).roots)
+    maker.note("plane", {Parameter_range(curve.chain().pieces[i]).at(hull(enclosing(root.lo), enclosing(root.hi)))},
+               "the curve passes through the point: its whole normal plane there is equidistant");
 }
 
 /// Raises `factor` until factor²·f > g on the unit interval, as Bernstein coefficients show: where those of f are not all
@@ -163,8 +240,17 @@ inline void outgrow(const Bernstein<Rational, 1>& f, const Bernstein<Rational, 1
 inline Rational ruling_reach(const Ruled_forms& forms, const Rational& reach)
 {
   using namespace operators;
+  const Bernstein<Rational, 1> f = square(forms.generator), g = multiply(forms.weight * forms.weight, Rational(reach * reach));
+  const auto bits = [](const Bernstein<Rational, 1>& h) {
+    const Rational x = *std::max_element(h.coefficients().begin(), h.coefficients().end());
+    return static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 2));
+  };
+  // It will not be much less than the root of the greatest coefficients' ratio.
+  const long start = (bits(g) - bits(f)) / 2 - 8;
   Rational factor = 1;
-  outgrow(square(forms.generator), multiply(forms.weight * forms.weight, Rational(reach * reach)), factor);
+  if (start >= 0) mpq_mul_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<mp_bitcnt_t>(start));
+  else mpq_div_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<mp_bitcnt_t>(-start));
+  outgrow(f, g, factor);
   return factor;
 }
 
@@ -194,8 +280,7 @@ inline Locus<3> bisector(const Exact_point<3>& a, const Exact_point<3>& b, const
   return with_upward_rounding([&] {
     detail::Bisector_3_maker maker({a, b}, options);
     const Rational_map<3, 2> map = point_point_bisector_map(a, b, Rational(maker.scale() * 12));
-    Approximate_point<3> foot;
-    for (std::size_t k = 0; k < 3; ++k) foot[k] = nearest_double(a[k]);
+    const Approximate_point<3> foot = detail::framed_point(a, maker.frame());
     maker.draw(map, {1, 1}, {false, false}, [foot](std::size_t, double, double, const Approximate_point<3>& p) {
       return Vertex_description{{}, detail::distance_from(p, foot)};
     });
@@ -220,7 +305,7 @@ inline Locus<3> untrimmed_bisector(const Exact_point<3>& point, const Rational_c
     }
     std::vector<detail::Ruled_forms> forms;
     std::vector<std::size_t> source;
-    Rational reach = 1;
+    Rational reach = 0;
     for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
       const Plane_pencil planes = detail::point_curve_planes(detail::seen_from(curve.pieces()[i], point));
       if (planes.is_degenerate()) {
@@ -228,6 +313,7 @@ inline Locus<3> untrimmed_bisector(const Exact_point<3>& point, const Rational_c
                    "the piece lies on a line through the point: only where it passes through the point, its normal plane is equidistant");
         continue;
       }
+      detail::note_point_on_curve(point, curve, i, maker);
       forms.push_back(planes.forms_by_directrix());
       if (forms.size() > 1) detail::continue_rulings(forms[forms.size() - 2], forms.back());
       reach = std::max(reach, detail::ruling_reach(forms.back(), Rational(maker.scale() * 24)));
@@ -236,7 +322,7 @@ inline Locus<3> untrimmed_bisector(const Exact_point<3>& point, const Rational_c
     std::vector<Rational_map_piece<3, 2>> drawn;
     for (std::size_t k = 0; k < forms.size(); ++k)
       drawn.push_back(detail::moved_by(forms[k].over(curve.chain().pieces[source[k]], {Rational(-reach), reach}), point));
-    const detail::Foot_curve foot(curve);
+    const detail::Foot_curve foot(detail::in_frame(curve, maker.frame()));
     const bool whole = drawn.size() == curve.pieces().size();
     if (!drawn.empty())
       maker.draw(Rational_map<3, 2>(drawn), {drawn.size(), 1}, {whole && curve.chain().is_closed(), false},
@@ -257,37 +343,40 @@ inline Locus<3> untrimmed_bisector(const Rational_curve<3>& first, const Rationa
     detail::collect_control_points(first, points);
     detail::collect_control_points(second, points);
     detail::Bisector_3_maker maker(points, options);
-    if (const auto plane = detail::common_plane(points)) {
-      detail::draw_cylinder(*plane, first, second, options, maker.data());
+    if (const auto plane = detail::plane_of(first, second)) {
+      detail::draw_cylinder(*plane, first, second, maker.rest_of_options(), maker.data());
       return maker.finish({0, 0}, std::nullopt);
     }
     const std::size_t n = first.pieces().size(), m = second.pieces().size();
-    const Rational_map<3, 2> map = curve_curve_bisector_map(first, second);
-    const detail::Foot_curve a(first), b(second);
+    std::vector<std::optional<Rational_map_piece<3, 2>>> piece;
+    std::vector<Rational_map_piece<3, 2>> all;
+    for (std::size_t k = 0; k < n * m; ++k) {
+      piece.push_back(curve_curve_bisector_piece(first.pieces()[k / m], first.chain().pieces[k / m], second.pieces()[k % m], second.chain().pieces[k % m]));
+      if (piece.back()) all.push_back(*piece.back());
+    }
+    const Rational_map<3, 2> map(all);
+    const detail::Foot_curve a(detail::in_frame(first, maker.frame())), b(detail::in_frame(second, maker.frame()));
     const auto describe = [&](std::size_t i, std::size_t j, double u, double v, const Approximate_point<3>& p) {
       return Vertex_description{{a.parameter(i, u), b.parameter(j, v)}, 0.5 * (a.distance(i, u, p) + b.distance(j, v, p))};
     };
-    if (map.pieces().size() == n * m) {
-      for (std::size_t k = 0; k < n * m; ++k) maker.find_base_points(first.pieces()[k / m], second.pieces()[k % m], map.pieces()[k], k);
+    if (all.size() == n * m) {
+      for (std::size_t k = 0; k < n * m; ++k) maker.find_base_points(first.pieces()[k / m], second.pieces()[k % m], all[k], k);
       maker.draw(map, {n, m}, {first.chain().is_closed(), second.chain().is_closed()},
                  [&](std::size_t k, double u, double v, const Approximate_point<3>& p) { return describe(k / m, k % m, u, v, p); });
       return maker.finish(map.degrees(), map);
     }
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < m; ++j) {
-        if (!detail::are_coplanar(first.pieces()[i], second.pieces()[j])) {
-          maker.find_base_points(first.pieces()[i], second.pieces()[j], map.pieces()[next], 0);
-          maker.draw(Rational_map<3, 2>({map.pieces()[next++]}), {1, 1}, {false, false},
-                     [&](std::size_t, double u, double v, const Approximate_point<3>& p) { return describe(i, j, u, v, p); });
-          continue;
-        }
-        std::vector<Exact_point<3>> own;
-        const Rational_curve<3> p = detail::single_piece(first, i), q = detail::single_piece(second, j);
-        detail::collect_control_points(p, own);
-        detail::collect_control_points(q, own);
-        detail::draw_cylinder(*detail::common_plane(own), p, q, options, maker.data());
+    for (std::size_t k = 0; k < n * m; ++k) {
+      const std::size_t i = k / m, j = k % m;
+      if (piece[k]) {
+        maker.find_base_points(first.pieces()[i], second.pieces()[j], *piece[k], 0);
+        maker.draw(Rational_map<3, 2>({*piece[k]}), {1, 1}, {false, false},
+                   [&](std::size_t, double u, double v, const Approximate_point<3>& p) { return describe(i, j, u, v, p); });
+        continue;
       }
+      const Rational_curve<3> p = detail::single_piece(first, i), q = detail::single_piece(second, j);
+      if (const auto plane = detail::plane_of(p, q)) detail::draw_cylinder(*plane, p, q, maker.rest_of_options(), maker.data());
+      else throw std::logic_error("locus: two pieces without a bisector surface do not lie in one plane");
+    }
     return maker.finish(map.degrees(), map);
   });
 }
@@ -297,20 +386,20 @@ inline Locus<3> untrimmed_bisector(const Exact_point<3>& point, const Rational_s
 {
   return with_upward_rounding([&] {
     std::vector<Exact_point<3>> points{point};
-    for (const Surface_piece& s : surface.pieces())
-      for (std::size_t i = 0; i < s.numerator[0].size(); ++i)
-        points.push_back(detail::vector_of<3>([&](std::size_t k) { return Rational(s.numerator[k][i] / s.weight[s.is_polynomial() ? 0 : i]); }));
+    for (const Surface_piece& s : surface.pieces()) detail::collect_control_points(s, points);
     detail::Bisector_3_maker maker(points, options);
     const Rational_map<3, 2> map = point_surface_bisector_map(point, surface);
     const auto& chains = surface.chains();
     const std::array<std::size_t, 2> grid{chains[0].pieces.size(), chains[1].pieces.size()};
-    Approximate_point<3> foot;
-    for (std::size_t k = 0; k < 3; ++k) foot[k] = nearest_double(point[k]);
+    const Approximate_point<3> foot = detail::framed_point(point, maker.frame());
     const auto describe = [&](const std::array<Piece, 2>& range, double u, double v, const Approximate_point<3>& p) {
       const Range a = Parameter_range(range[0]).at(Interval(u)), b = Parameter_range(range[1]).at(Interval(v));
       return Vertex_description{{a.lo + 0.5 * (a.hi - a.lo), b.lo + 0.5 * (b.hi - b.lo)}, detail::distance_from(p, foot)};
     };
     const bool whole = map.pieces().size() == grid[0] * grid[1];
+    if (!whole)
+      maker.note("cone", {}, "all tangent planes of a piece of the surface pass through the point: only where the surface itself does, "
+                             "its normal is equidistant");
     if (whole)
       maker.draw(map, grid, {false, false}, [&](std::size_t k, double u, double v, const Approximate_point<3>& p) {
         return describe(map.pieces()[k].range, u, v, p);

@@ -3,10 +3,10 @@
 #define LOCUS_CONSTRUCT_CURVATURE_POINTS_H
 
 #include <locus/constraint/curvature_forms.h>
-#include <locus/construct/curve_evaluator.h>
 #include <locus/construct/extent.h>
 #include <locus/construct/locus.h>
 #include <locus/construct/parameter_range.h>
+#include <locus/function/root_value.h>
 #include <locus/shape/cusps.h>
 
 #include <chrono>
@@ -75,46 +75,33 @@ struct Osculation {
   std::optional<Interval> torsion;
 };
 
-/// A piece's forms as enclosed functions.
+/// Evaluates a piece's forms at places that are known finely.
 template <int Dim>
 class Curvature_evaluator {
 public:
   static constexpr auto size = static_cast<std::size_t>(Dim);
   using Vector = std::array<Interval, size>;
 
-  Curvature_evaluator(const Curve_piece<Dim>& piece, const Curvature_forms<Dim>& forms)
-    : weight_(forms.weight)
+  Curvature_evaluator(const Curve_piece<Dim>& piece, const Curvature_forms<Dim>& forms) : numerator_(piece.numerator), forms_(forms)
   {
-    for (std::size_t k = 0; k < size; ++k) {
-      point_[k] = Enclosed_function(piece.numerator[k]);
-      first_[k] = Enclosed_function(forms.first[k]);
-    }
-    for (std::size_t k = 0; k < bend_.size(); ++k) bend_[k] = Enclosed_function(forms.bend[k]);
-    if constexpr (Dim == 3) torsion_ = Enclosed_function(torsion_form(piece));
+    if constexpr (Dim == 3) torsion_ = torsion_form(piece);
   }
 
-  Vector point(const Interval& u) const
+  Vector point(const Fine_place& u) const
   {
-    const Interval w = weight_.at(u);
-    return vector_of<size>([&](std::size_t k) { return Interval(point_[k].at(u) / w); });
+    const Interval w = value_at(forms_.weight, u);
+    return vector_of<size>([&](std::size_t k) { return Interval(value_at(numerator_[k], u) / w); });
   }
 
-  Osculation<Dim> at(const Interval& u) const
+  Osculation<Dim> at(const Fine_place& u) const
   {
     Osculation<Dim> o;
-    const Interval w = weight_.at(u), w3 = w * w * w;
+    const Interval w = value_at(forms_.weight, u), w3 = w * w * w, s = value_at(forms_.speed, u);
     o.point = point(u);
-    Vector d;
-    Interval s(0), b2(0);
-    for (std::size_t k = 0; k < size; ++k) {
-      d[k] = first_[k].at(u);
-      s += CGAL::square(d[k]);
-    }
-    std::array<Interval, Curvature_forms<Dim>::bends> b;
-    for (std::size_t k = 0; k < b.size(); ++k) {
-      b[k] = bend_[k].at(u);
-      b2 += CGAL::square(b[k]);
-    }
+    const auto d = vector_of<size>([&](std::size_t k) { return value_at(forms_.first[k], u); });
+    const auto b = vector_of<Curvature_forms<Dim>::bends>([&](std::size_t k) { return value_at(forms_.bend[k], u); });
+    Interval b2(0);
+    for (const Interval& x : b) b2 += CGAL::square(x);
     const Interval length = CGAL::sqrt(s), s3 = s * length;
     if constexpr (Dim == 2) {
       // The centre is iD1·S/(β·w³) from the point.
@@ -131,15 +118,15 @@ public:
         o.centre[k] = o.point[k] + (b[i] * d[j] - b[j] * d[i]) * reach;
       }
       o.radius = Interval(1) / o.curvature;
-      if (!contains_zero(b2)) o.torsion = w * w * torsion_.at(u) / b2;
+      if (!contains_zero(b2)) o.torsion = w * w * value_at(torsion_, u) / b2;
     }
     return o;
   }
 
 private:
-  std::array<Enclosed_function, size> point_, first_;
-  std::array<Enclosed_function, Curvature_forms<Dim>::bends> bend_;
-  Enclosed_function weight_, torsion_;
+  Polynomial_vector<1, size> numerator_;
+  Curvature_forms<Dim> forms_;
+  Bernstein<Rational, 1> torsion_;
 };
 
 /// Sign of a polynomial next to an end of the unit interval: that of the nearest Bernstein coefficient that is not zero.
@@ -150,17 +137,6 @@ inline int sign_beside(const Bernstein<Rational, 1>& f, int end)
     if (const int s = sgn(c[end == 1 ? c.size() - 1 - k : k]); s != 0) return s;
   return 0;
 }
-
-/// Narrows a root on the unit interval to 2^-60.
-inline void refine_finely(Isolated_root<Rational>& root)
-{
-  const Rational fine(Integer(1), Integer(Integer(1) << 60));
-  while (!root.is_exact() && Rational(root.hi - root.lo) > fine)
-    if (!bisect_exactly(*root.factor, Rational(0), Rational(1), root)) return;
-}
-
-/// A root inside the unit interval, enclosed.
-inline Interval enclosed(const Isolated_root<Rational>& root) { return hull(enclosing(root.lo), enclosing(root.hi)); }
 
 /// Whether another polynomial vanishes at a root as well, decided exactly.
 inline bool vanishes_at(const Integer_polynomial& f, const Isolated_root<Rational>& root)
@@ -181,9 +157,10 @@ public:
     std::vector<Exact_point<Dim>> points;
     collect_control_points(curve, points);
     frame_ = fitting_frame<Dim>(points);
+    require_drawable(frame_);
     analysis_.scale = frame_.length(Interval(extent_in<Dim>(frame_, points).scale)).sup();
     for (std::size_t i = 0; i < curve.pieces().size(); ++i) {
-      pieces_.push_back(in_frame(curve.pieces()[i], frame_));
+      pieces_.push_back(with_unit_forms(in_frame(curve.pieces()[i], frame_)));
       forms_.emplace_back(pieces_.back());
       evaluators_.emplace_back(pieces_.back(), forms_.back());
       ranges_.emplace_back(chain_.pieces[i]);
@@ -225,11 +202,11 @@ public:
       if (degree(standstill_[i]) < 1) continue;
       for (auto root : exact_roots(bernstein_form(standstill_[i]), Rational(0), Rational(1)).roots) {
         if (root.is_exact() && (root.lo == 0 || root.lo == 1)) continue; // a joint's or an end's
-        refine_finely(root);
+        refine_root(root, 120);
         Curvature_point<Dim> p;
         p.kind = Curvature_event::cusp;
         p.multiplicity = root.multiplicity;
-        place_point(i, enclosed(root), p, evaluators_[i].point(enclosed(root)));
+        place_point(i, fine_place(root), p, evaluators_[i].point(fine_place(root)));
         add(i, root.lo, p);
       }
     }
@@ -314,7 +291,7 @@ private:
       const int end = root.lo == 1 ? 1 : 0;
       if (at_end && (chain_.joint_at(i, end) || is_singular_at(i, end))) continue;
       if (!at_end && vanishes_at(standstill_[i], root)) continue;
-      refine_finely(root);
+      refine_root(root, 120);
       Curvature_point<Dim> p;
       p.kind = kind;
       p.multiplicity = root.multiplicity;
@@ -323,7 +300,7 @@ private:
       if (at_end) p.feature = end == 0 ? Feature::start : Feature::end;
       if (has_no_sign(kind)) p.before = p.after = 0;
       if (kind == Curvature_event::extremum && !p.changes_sign()) p.kind = Curvature_event::stationary;
-      place(i, enclosed(root), p);
+      place(i, fine_place(root), p);
       add(i, root.lo, p);
     }
   }
@@ -351,7 +328,7 @@ private:
     p.kind = kind;
     p.before = has_no_sign(kind) ? 0 : before;
     p.after = has_no_sign(kind) ? 0 : after;
-    place(i, Interval(1), p);
+    place(i, Fine_place{1}, p);
     add(i, Rational(1), p);
   }
 
@@ -371,17 +348,17 @@ private:
              : !(stands && left.same_slope(right)) ? Curvature_event::kink
              : p.changes_sign()                    ? Curvature_event::extremum
                                                    : Curvature_event::stationary;
-    place(i, Interval(1), p);
+    place(i, Fine_place{1}, p);
     add(i, Rational(1), p);
   }
 
-  void place_point(std::size_t i, const Interval& u, Curvature_point<Dim>& p, const std::array<Interval, static_cast<std::size_t>(Dim)>& x) const
+  void place_point(std::size_t i, const Fine_place& u, Curvature_point<Dim>& p, const std::array<Interval, static_cast<std::size_t>(Dim)>& x) const
   {
-    p.parameter = ranges_[i].at(u);
+    p.parameter = ranges_[i].at(u.enclosure());
     p.error = put(x, p.point);
   }
 
-  void place(std::size_t i, const Interval& u, Curvature_point<Dim>& p) const
+  void place(std::size_t i, const Fine_place& u, Curvature_point<Dim>& p) const
   {
     const Osculation<Dim> o = evaluators_[i].at(u);
     place_point(i, u, p, o.point);
@@ -406,11 +383,12 @@ private:
     Interval square(0);
     double size = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
-      square += CGAL::square(frame_.length(Interval(0, width(x[k]))));
+      square += CGAL::square(Interval(0, width(x[k])));
       p[k] = representative(frame_.out_of(x[k], k));
       size += std::abs(p[k]);
     }
-    const double error = CGAL::sqrt(square).sup();
+    const Interval distance = CGAL::sqrt(square);
+    const double error = std::isfinite(distance.sup()) ? frame_.length(distance).sup() : distance.sup();
     return std::isfinite(error) ? error + 8 * operation_error * size : error;
   }
 
@@ -441,7 +419,7 @@ std::vector<Curvature_point<Dim>> curvature_points(const Rational_curve<Dim>& cu
 }
 
 /// The points where the curvature vanishes, in order: zeros of the Wronskian of X, Y, W (degree 3d-6; 2d-4 for a polynomial
-/// curve) in the plane, where it changes its sign at those with odd multiplicity, and at joints where it jumps across zero. In
+/// curve) in the plane, where it changes its sign at those with odd multiplicity, and at joints where it jumps across zero; corners are left out. In
 /// space the curvature vanishes only by accident.
 template <int Dim>
 std::vector<Curvature_point<Dim>> inflections(const Rational_curve<Dim>& curve)

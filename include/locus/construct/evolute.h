@@ -8,7 +8,7 @@
 namespace locus {
 
 /// The evolute of a curve in the plane or in space, the locus of its centres of curvature, as arcs: they go to infinity at
-/// inflections (certified roots, with asymptotes), have cusps (`Arc::irregular`) where the curvature is stationary, and break
+/// inflections (certified roots, with asymptotes), have cusps (`Arc::irregular`), in the plane where the curvature is stationary, and break
 /// off at corners and where the curvature jumps. Straight pieces have none; circular ones give isolated points, listed as
 /// degenerate too. `Locus::rational_curve` has it exactly, at its true degree. Upward of O(d²) rational operations a piece.
 template <int Dim>

@@ -92,11 +92,34 @@ inline Rational_curve<3> single_piece(const Rational_curve<3>& curve, std::size_
   return Rational_curve<3>({curve.pieces()[index]}, chain);
 }
 
-inline bool are_coplanar(const Curve_piece<3>& a, const Curve_piece<3>& b)
+/// Points that span the same plane as a curve's control points do: those at infinity are taken as directions.
+inline void collect_plane_points(const Rational_curve<3>& curve, std::vector<Exact_point<3>>& points)
+{
+  for (const Curve_piece<3>& piece : curve.pieces()) {
+    std::vector<Exact_point<3>> directions;
+    std::optional<Exact_point<3>> base;
+    for (std::size_t i = 0; i < piece.numerator[0].size(); ++i) {
+      const Rational& w = piece.weight[piece.is_polynomial() ? 0 : i];
+      Exact_point<3> p;
+      for (std::size_t k = 0; k < 3; ++k) p[k] = w == 0 ? piece.numerator[k][i] : Rational(piece.numerator[k][i] / w);
+      if (w == 0) {
+        directions.push_back(p);
+        continue;
+      }
+      base = p;
+      points.push_back(p);
+    }
+    for (const auto& d : directions)
+      if (base) points.push_back(vector_of<3>([&](std::size_t k) { return Rational((*base)[k] + d[k]); }));
+  }
+}
+
+inline std::optional<Common_plane> plane_of(const Rational_curve<3>& first, const Rational_curve<3>& second)
 {
   std::vector<Exact_point<3>> points;
-  for (const auto* piece : {&a, &b}) collect_control_points(*piece, points);
-  return common_plane(points).has_value();
+  collect_plane_points(first, points);
+  collect_plane_points(second, points);
+  return common_plane(points);
 }
 
 /// One strip over a polyline of the plane, up and down as far as `height`.
@@ -127,8 +150,9 @@ public:
     }
     for (std::size_t i = 0; i < n; ++i) {
       rim[0].push_back(2 * i);
-      rim[1].insert(rim[1].begin(), 2 * i + 1);
+      rim[1].push_back(2 * i + 1);
     }
+    std::reverse(rim[1].begin(), rim[1].end());
     if (closed) {
       for (auto& loop : rim) sheet.boundary.push_back({"infinity", std::move(loop)});
       sheet.euler = 0;
@@ -178,9 +202,33 @@ inline void draw_cylinder(const Common_plane& plane, const Rational_curve<3>& fi
   if (!plane.has_axes)
     throw Unsupported_feature("curves in one plane whose normal has an irrational length (turn the inputs into a plane whose "
                               "normal has a rational one, like z = 0)");
-  const Locus<2> planar = untrimmed_bisector(in_plane(first, plane), in_plane(second, plane));
-  const Strip_maker maker(plane, data.cut_radius);
-  for (const Arc<2>& arc : planar.arcs()) data.sheets.push_back(maker.make(arc.polyline(options.tolerance), arc.is_closed()));
+  // The inputs are within their diameter of the middle, and so is its foot in the plane.
+  const double far = data.cut_radius + 2 * data.scale;
+  Bisector_options planar_options;
+  planar_options.control = options.control;
+  planar_options.least_cut_radius = far / std::sqrt(nearest_double(plane.squared_scale));
+  const Locus<2> planar = untrimmed_bisector(in_plane(first, plane), in_plane(second, plane), planar_options);
+  const Strip_maker maker(plane, far);
+  const double scale = std::sqrt(nearest_double(plane.squared_scale)); // a length of the plane's coordinates in space
+  for (const Arc<2>& arc : planar.arcs()) {
+    const Polyline<2> line = arc.polyline(options.tolerance * data.scale / (planar.scale() * scale));
+    if (std::isfinite(line.error())) {
+      data.sheets.push_back(maker.make(line, arc.is_closed()));
+      continue;
+    }
+    Undecided_piece u;
+    u.box = line[0].parameters();
+    u.reason = "from here on an arc of the planar bisector has no proved error";
+    data.undecided.push_back(std::move(u));
+  }
+  for (const Locus_vertex<2>& v : planar.vertices()) {
+    if (v.kind != Vertex_kind::isolated) continue;
+    Degenerate_piece line;
+    line.kind = "line";
+    for (const Foot& foot : v.feet) line.box.insert(line.box.end(), foot.parameters.begin(), foot.parameters.end());
+    line.reason = "the planar bisector has an isolated point: the line over it is equally far from both feet";
+    data.degenerate.push_back(line);
+  }
   for (const Equation_info& e : planar.equations()) data.equations.push_back(e);
   data.degenerate.insert(data.degenerate.end(), planar.degenerate().begin(), planar.degenerate().end());
   data.undecided.insert(data.undecided.end(), planar.undecided().begin(), planar.undecided().end());

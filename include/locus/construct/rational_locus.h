@@ -3,6 +3,7 @@
 #define LOCUS_CONSTRUCT_RATIONAL_LOCUS_H
 
 #include <locus/construct/rational_path.h>
+#include <locus/function/root_value.h>
 #include <locus/shape/cusps.h>
 
 #include <chrono>
@@ -22,6 +23,7 @@ public:
     std::vector<Exact_point<Dim>> points;
     collect_control_points(curve, points);
     work_->frame = fitting_frame<Dim>(points);
+    require_drawable(work_->frame);
     const Extent<Dim> extent = extent_in<Dim>(work_->frame, points);
     work_->scale = extent.scale;
     work_->cut_radius = cut_factor * extent.scale;
@@ -57,8 +59,8 @@ private:
       while (!same_range(chain_.pieces[i], piece.range[0])) ++i;
       Curve_piece<Dim> image{piece.numerator, piece.weight};
       // As a curve's, a constant weight would be of degree zero.
-      image = in_frame(homogenised(std::move(image)), work_->frame);
-      add_piece(i, image, in_frame(curve.pieces()[i], work_->frame));
+      image = with_unit_forms(in_frame(homogenised(std::move(image)), work_->frame));
+      add_piece(i, image, with_unit_forms(in_frame(curve.pieces()[i], work_->frame)));
       source_.push_back(i);
       ++i;
     }
@@ -73,6 +75,7 @@ private:
   {
     typename Path_work<Dim>::Piece_work w;
     w.forms = image;
+    w.foot_forms = foot;
     w.image.emplace(image.numerator, image.weight);
     w.foot.emplace(foot.numerator, foot.weight);
     w.range = Parameter_range(chain_.pieces[source]);
@@ -111,17 +114,21 @@ private:
         refine(root);
         poles.push_back({std::move(root)});
       }
-    const Bernstein<Interval, 1> outside = outside_form(i);
+    const Bernstein<Rational, 1> outside = poles.empty() ? Bernstein<Rational, 1>() : outside_form(i);
     Rational from = 0;
     std::size_t before = none; // the vertex at the last pole
     const Pole* last = nullptr;
     const auto close = [&](const Rational& to, const Pole* next, std::size_t after) {
       Stretch s;
       s.leg.piece = i;
+      const double middle = nearest_double(Rational((from + to) / 2));
       // Ends towards poles are moved inwards to where the curve leaves the cut radius for good.
-      s.leg.lo = last ? start_after(outside, *last, from, to) : 0.0;
-      s.leg.hi = next ? stop_before(outside, *next, from, to) : 1.0;
-      if (s.leg.hi < s.leg.lo) s.leg.lo = s.leg.hi = nearest_double(Rational((from + to) / 2));
+      const std::optional<double> lo = last ? stop_towards(outside, last->root, to, from) : 0.0;
+      const std::optional<double> hi = next ? stop_towards(outside, next->root, from, to) : 1.0;
+      if (!lo || !hi) note_open_stretch(i, from, to);
+      s.leg.lo = lo.value_or(middle);
+      s.leg.hi = hi.value_or(middle);
+      if (s.leg.hi < s.leg.lo) s.leg.lo = s.leg.hi = middle;
       s.vertex = {before, after};
       stretches_.push_back(s);
     };
@@ -136,74 +143,125 @@ private:
     last_stretch_.push_back(stretches_.size() - 1);
   }
 
+  /// Also away from the ends, which it does not lie on.
   static void refine(Isolated_root<Rational>& root)
   {
-    const Rational fine(Integer(1), Integer(Integer(1) << 50));
-    while (!root.is_exact() && (Rational(root.hi - root.lo) > fine || root.lo == 0 || root.hi == 1))
+    refine_root(root, 120);
+    while (!root.is_exact() && (root.lo == 0 || root.hi == 1))
       if (!bisect_exactly(*root.factor, Rational(0), Rational(1), root)) return;
   }
 
-  /// |p - c·w|² - R²·w², positive where the curve is outside the cut radius.
-  Bernstein<Interval, 1> outside_form(std::size_t i) const
+  /// |p - c·w|² - R²·w², positive where the curve is outside the cut radius; exact, since near two poles it is tiny.
+  Bernstein<Rational, 1> outside_form(std::size_t i) const
   {
-    const auto& p = work_->pieces[i];
-    const Interval r(work_->cut_radius);
-    Bernstein<Interval, 1> sum = multiply(multiply(p.weight, p.weight), Interval(-r * r));
-    for (const auto& f : p.numerator) sum = add(sum, multiply(f, f));
+    using namespace operators;
+    const Curve_piece<Dim>& p = work_->pieces[i].forms;
+    const Rational r(work_->cut_radius);
+    Bernstein<Rational, 1> sum = multiply(p.weight * p.weight, Rational(-r * r));
+    for (std::size_t k = 0; k < size; ++k) {
+      const Bernstein<Rational, 1> x = subtract(p.numerator[k], multiply(p.weight, Rational(work_->centre[k])));
+      sum = sum + x * x;
+    }
     return sum;
   }
 
-  static bool is_positive(const Bernstein<Interval, 1>& f)
+  static bool is_positive(const Bernstein<Rational, 1>& f)
   {
-    return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Interval& c) { return c.inf() > 0; });
+    return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Rational& c) { return c > 0; });
   }
 
-  /// From halfway to the pole on, the first place found beyond which all is outside. Near the pole it is, so this ends.
-  double stop_before(const Bernstein<Interval, 1>& outside, const Pole& pole, const Rational& from, const Rational& to) const
+  /// From halfway to the pole on, the first place found beyond which all is outside. Near the pole it is; but nothing where no
+  /// double is near enough.
+  std::optional<double> stop_towards(const Bernstein<Rational, 1>& outside, const Isolated_root<Rational>& pole, const Rational& far, const Rational& near) const
   {
-    Rational gap = (to - from) / 2;
-    for (;; gap /= 2) {
-      const double at = nearest_double(Rational(to - gap));
-      if (Rational(at) >= to || Rational(at) <= from) return at;
-      if (is_positive(restrict_to(outside, 0, Interval(at), enclosing(pole.root.hi)))) return at;
+    constexpr int most_halvings = 60;
+    Rational gap = (near - far) / 2;
+    for (int i = 0; i < most_halvings; ++i, gap /= 2) {
+      const double at = nearest_double(Rational(near - gap));
+      const Rational place(at);
+      if (place <= std::min(near, far) || place >= std::max(near, far)) continue;
+      const bool before = far < near;
+      if (is_positive(restrict_to(outside, 0, before ? place : pole.lo, before ? pole.hi : place))) return at;
     }
+    return std::nullopt;
   }
-  double start_after(const Bernstein<Interval, 1>& outside, const Pole& pole, const Rational& from, const Rational& to) const
+
+  void note_open_stretch(std::size_t i, const Rational& from, const Rational& to)
   {
-    Rational gap = (to - from) / 2;
-    for (;; gap /= 2) {
-      const double at = nearest_double(Rational(from + gap));
-      if (Rational(at) <= from || Rational(at) >= to) return at;
-      if (is_positive(restrict_to(outside, 0, enclosing(pole.root.lo), Interval(at)))) return at;
-    }
+    Undecided_piece u;
+    u.box = {work_->pieces[i].range.at(hull(enclosing(from), enclosing(to)))};
+    u.reason = "the arc could not be followed to infinity in doubles";
+    data_.undecided.push_back(std::move(u));
   }
 
   std::size_t pole_vertex(std::size_t i, const Pole& pole)
   {
-    const auto& p = work_->pieces[i];
-    const Interval s = hull(enclosing(pole.root.lo), enclosing(pole.root.hi));
+    const Curve_piece<Dim>& p = work_->pieces[i].forms;
+    const Fine_place s = fine_place(pole.root);
     Locus_vertex<Dim> v;
     v.kind = Vertex_kind::infinity;
     v.multiplicity = pole.root.multiplicity;
-    v.feet.push_back(foot_at(i, s));
-    const auto n = p.image->numerator(s, 0), dn = p.image->numerator(s, 1);
-    double length = 0;
-    for (const Interval& x : n) length += midpoint(x) * midpoint(x);
-    length = std::sqrt(length);
-    Approximate_point<Dim> direction;
-    for (std::size_t k = 0; k < size; ++k) direction[k] = midpoint(n[k]) / length;
-    v.direction = direction;
-    if (pole.root.multiplicity == 1) {
-      // x = N/w = N(s₀)/(w'·δ) + N'/w' - N·w''/(2w'²) + …
-      const Interval dw = p.image->weight(s, 1), ddw = p.image->weight(s, 2);
-      Asymptote<Dim> asymptote;
-      asymptote.direction = direction;
-      for (std::size_t k = 0; k < size; ++k)
-        asymptote.point[k] = representative(work_->frame.out_of(dn[k] / dw - n[k] * ddw / (Interval(2) * dw * dw), k));
-      v.asymptote = asymptote;
+    v.feet.push_back(foot_at(i, s.enclosure()));
+    const auto values = [&](int order) {
+      return vector_of<size>([&](std::size_t k) { return value_at(derived(p.numerator[k], order), s); });
+    };
+    const auto n = values(0);
+    Interval square(0);
+    double widest = 0;
+    for (const Interval& x : n) {
+      square += CGAL::square(x);
+      widest = std::max(widest, width(x));
+    }
+    const double length = midpoint(CGAL::sqrt(square));
+    if (widest <= 1e-9 * length) { // else the direction is not known
+      Approximate_point<Dim> direction;
+      for (std::size_t k = 0; k < size; ++k) direction[k] = representative(n[k]) / length;
+      v.direction = direction;
+      if (pole.root.multiplicity == 1) v.asymptote = asymptote_at(p, s, n, values(1), direction);
     }
     data_.vertices.push_back(std::move(v));
     return data_.vertices.size() - 1;
+  }
+
+  static Bernstein<Rational, 1> derived(Bernstein<Rational, 1> f, int order)
+  {
+    for (; order > 0; --order) f = derivative(f);
+    return f;
+  }
+
+  using Point = std::array<Interval, size>;
+
+  /// x = N/w = N(s₀)/(w'·δ) + N'/w' - N·w''/(2w'²) + …; nothing where that is not known well.
+  std::optional<Asymptote<Dim>> asymptote_at(const Curve_piece<Dim>& p, const Fine_place& s, const Point& n, const Point& dn,
+                                             const Approximate_point<Dim>& direction) const
+  {
+    const Interval dw = value_at(derived(p.weight, 1), s), ddw = value_at(derived(p.weight, 2), s);
+    Asymptote<Dim> asymptote;
+    asymptote.direction = direction;
+    for (std::size_t k = 0; k < size; ++k) {
+      const Interval x = dn[k] / dw - n[k] * ddw / (Interval(2) * dw * dw);
+      if (!(width(x) <= 1e-9 * std::max(work_->scale, magnitude(x)))) return std::nullopt;
+      asymptote.point[k] = representative(work_->frame.out_of(x, k));
+    }
+    return asymptote;
+  }
+
+  /// The point at a rational place, exact but for the last rounding, with its distance from the foot.
+  void place_exactly(std::size_t i, const Rational& s, Locus_vertex<Dim>& v) const
+  {
+    const auto& w = work_->pieces[i];
+    const Rational weight = evaluate_at(w.forms.weight, s), foot_weight = evaluate_at(w.foot_forms.weight, s);
+    Rational square = 0;
+    Approximate_point<Dim> point;
+    for (std::size_t k = 0; k < size; ++k) {
+      const Rational x = evaluate_at(w.forms.numerator[k], s) / weight;
+      point[k] = representative(work_->frame.out_of(enclosing(x), k));
+      if (foot_weight == 0) continue;
+      const Rational d = x - evaluate_at(w.foot_forms.numerator[k], s) / foot_weight;
+      square += d * d;
+    }
+    v.point = point;
+    v.radius = foot_weight == 0 ? std::numeric_limits<double>::infinity() : midpoint(work_->frame.length(CGAL::sqrt(enclosing(square))));
   }
 
   Foot foot_at(std::size_t i, const Interval& s) const
@@ -221,14 +279,12 @@ private:
 
   void note_single_point(std::size_t i)
   {
-    const Arc_point<Dim> p = work_->at(i, Interval(0.5));
     // The pieces of one circle have one vertex, with a foot for each.
     const bool again = i > 0 && last_stretch_[i - 1] == none && images_meet(i - 1, i);
     if (!again) {
       Locus_vertex<Dim> v;
       v.kind = Vertex_kind::isolated;
-      v.point = p.point();
-      v.radius = p.radius();
+      place_exactly(i, Rational(1, 2), v);
       data_.vertices.push_back(std::move(v));
     }
     data_.vertices.back().feet.push_back(foot_at(i, Interval(0, 1)));
@@ -297,12 +353,10 @@ private:
       for (int end = 0; end < 2; ++end) {
         const auto e = static_cast<std::size_t>(end);
         if (s.vertex[e] != none || s.neighbour[e] != none) continue;
-        const Arc_point<Dim> p = work_->at(s.leg.piece, Interval(end));
         Locus_vertex<Dim> v;
         v.kind = chain_.joint_at(source_[s.leg.piece], end) ? Vertex_kind::corner : Vertex_kind::boundary;
         v.feet.push_back(foot_at(s.leg.piece, Interval(end)));
-        v.point = p.point();
-        v.radius = p.radius();
+        place_exactly(s.leg.piece, Rational(end), v);
         s.vertex[e] = data_.vertices.size();
         data_.vertices.push_back(std::move(v));
       }

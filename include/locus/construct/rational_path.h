@@ -51,7 +51,7 @@ struct Path_work {
   static constexpr auto size = static_cast<std::size_t>(Dim);
 
   struct Piece_work {
-    Curve_piece<Dim> forms;                             ///< of the derived curve
+    Curve_piece<Dim> forms, foot_forms;                 ///< of the derived curve, and of the one with its feet
     std::array<Bernstein<Interval, 1>, size> numerator; ///< enclosed, relative to the inputs' middle
     Bernstein<Interval, 1> weight;
     std::optional<Map_evaluator<Dim>> image, foot;
@@ -63,26 +63,47 @@ struct Path_work {
   std::array<double, size> centre{};
   std::vector<Piece_work> pieces;
 
-  /// The point of a local parameter, in the inputs' coordinates.
+  using Point = std::array<Interval, size>;
+
+  /// The point of a local parameter, in the inputs' coordinates. At a double it is evaluated exactly where intervals are poor.
   Arc_point<Dim> at(std::size_t piece, const Interval& s) const
   {
     const Piece_work& p = pieces[piece];
-    const auto x = p.image->at(s);
-    Interval radius(0), square(0);
-    double magnitude_sum = 0;
-    Approximate_point<Dim> point;
-    for (std::size_t k = 0; k < size; ++k) {
-      point[k] = representative(frame.out_of(x[k], k));
-      magnitude_sum += std::abs(point[k]);
-      square += CGAL::square(Interval(width(x[k])));
-    }
+    Point x = p.image->at(s);
+    if (s.is_point() && !is_narrow(x)) x = exactly(p.forms, Rational(s.inf()));
+    Interval radius(0);
     if (p.foot) {
-      const auto y = p.foot->at(s);
+      Point y = p.foot->at(s);
+      if (s.is_point() && !is_narrow(y)) y = exactly(p.foot_forms, Rational(s.inf()));
       for (std::size_t k = 0; k < size; ++k) radius += CGAL::square(x[k] - y[k]);
       radius = frame.length(CGAL::sqrt(radius));
     }
-    const double error = frame.length(CGAL::sqrt(square)).sup() + 8 * operation_error * magnitude_sum;
+    Approximate_point<Dim> point;
+    double magnitude_sum = 0, widest = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      point[k] = representative(frame.out_of(x[k], k));
+      magnitude_sum += std::abs(point[k]);
+      widest = std::max(widest, width(x[k]));
+    }
+    if (!(widest <= std::numeric_limits<double>::max())) return {{p.range.at(s)}, point, 0, std::numeric_limits<double>::infinity()};
+    const double error = frame.length(Interval(static_cast<double>(Dim)) * Interval(widest)).sup() + 8 * operation_error * magnitude_sum;
     return {{p.range.at(s)}, point, std::max(0.0, representative(radius)), error};
+  }
+
+private:
+  static bool is_narrow(const Point& x)
+  {
+    return std::all_of(x.begin(), x.end(), [](const Interval& c) { return width(c) <= 1e-12 * std::max(1.0, magnitude(c)); });
+  }
+
+  /// Infinite at a pole.
+  static Point exactly(const Curve_piece<Dim>& forms, const Rational& s)
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const Rational w = evaluate_at(forms.weight, s);
+    return vector_of<size>([&](std::size_t k) {
+      return w == 0 ? Interval(-infinite, infinite) : enclosing(Rational(evaluate_at(forms.numerator[k], s) / w));
+    });
   }
 };
 
@@ -145,17 +166,15 @@ public:
   {
     return with_upward_rounding([&] {
       Draft draft;
-      draft.tolerance = std::max(relative_tolerance, 0x1p-60) * work_->frame.length(Interval(work_->scale)).sup();
-      for (const Path_leg& leg : legs_) {
-        const auto& piece = work_->pieces[leg.piece];
-        Part part{leg.lo, leg.hi, piece.numerator, piece.weight};
-        part.restrict_from_unit();
-        if (draft.points.empty()) draft.points.push_back(work_->at(leg.piece, Interval(leg.lo)));
-        refine(leg.piece, part, 0, draft);
+      // Where the tolerance asks for too many points a greater one is tried: the error tells.
+      for (double tolerance = std::max(relative_tolerance, 0x1p-60) * work_->scale;; tolerance *= 16) {
+        draft = drawn_within(tolerance);
+        if (draft.points.size() <= most_points) break;
       }
       double rounding = 0;
       for (const auto& p : draft.points) rounding = std::max(rounding, p.error());
-      return Polyline<Dim>(std::move(draft.points), draft.error + rounding);
+      const double bend = std::isfinite(draft.error) ? work_->frame.length(Interval(draft.error)).sup() : draft.error;
+      return Polyline<Dim>(std::move(draft.points), bend + rounding);
     });
   }
 
@@ -166,14 +185,32 @@ private:
 
   struct Draft {
     std::vector<Arc_point<Dim>> points;
-    double tolerance = 0, error = 0;
+    double tolerance = 0, error = 0; ///< in frame units
   };
+
+  static constexpr std::size_t most_points = 100000;
+
+  /// One point more than `most_points` where these do not do.
+  Draft drawn_within(double tolerance) const
+  {
+    Draft draft;
+    draft.tolerance = tolerance;
+    for (const Path_leg& leg : legs_) {
+      const auto& piece = work_->pieces[leg.piece];
+      Part part{leg.lo, leg.hi, piece.numerator, piece.weight, 1};
+      part.restrict_from_unit();
+      if (draft.points.empty()) draft.points.push_back(work_->at(leg.piece, Interval(leg.lo)));
+      refine(leg.piece, part, 0, draft);
+    }
+    return draft;
+  }
 
   /// The curve on a part of a piece, in Bernstein form on [lo, hi].
   struct Part {
     double lo, hi;
     std::array<Bernstein<Interval, 1>, size> numerator;
     Bernstein<Interval, 1> weight;
+    double enclosed_on; ///< the length of the part on which the forms were enclosed: their errors are of that part's size
 
     void restrict_from_unit()
     {
@@ -184,7 +221,7 @@ private:
     std::array<Part, 2> halves() const
     {
       const double mid = 0.5 * (lo + hi);
-      std::array<Part, 2> parts{Part{lo, mid, {}, {}}, Part{mid, hi, {}, {}}};
+      std::array<Part, 2> parts{Part{lo, mid, {}, {}, enclosed_on}, Part{mid, hi, {}, {}, enclosed_on}};
       for (std::size_t k = 0; k < size; ++k) {
         auto both = split(numerator[k], 0, Interval(0.5));
         parts[0].numerator[k] = std::move(both.first);
@@ -213,13 +250,16 @@ private:
 
   /// Adds the points after the first one. The curve lies in the hull of its control points, so their greatest distance from
   /// the chord bounds its own; the chord's distance from the curve is no greater, since the curve runs from end to end.
+  /// It ends where roundings are most of the distance: halving would not help.
   void refine(std::size_t piece, const Part& part, int depth, Draft& draft) const
   {
-    constexpr int deepest = 40;
+    constexpr int deepest = 100;
+    if (draft.points.size() > most_points) return;
     const Arc_point<Dim> last = work_->at(piece, Interval(part.hi));
-    const double distance = distance_from_chord(part, draft.points.back().point(), last.point());
+    const auto [distance, rounding] = distance_from_chord(part, draft.points.back().point(), last.point());
+    if (is_poor(distance, rounding, draft) && part.hi - part.lo <= 0x1p-8 * part.enclosed_on) return refine(piece, afresh(piece, part), depth, draft);
     const double mid = 0.5 * (part.lo + part.hi);
-    if (distance <= draft.tolerance || depth == deepest || !(mid > part.lo && mid < part.hi)) {
+    if (distance <= std::max(draft.tolerance, 4 * rounding) || depth == deepest || !(mid > part.lo && mid < part.hi)) {
       draft.error = std::max(draft.error, distance);
       draft.points.push_back(last);
       return;
@@ -229,30 +269,63 @@ private:
     refine(piece, halves[1], depth + 1, draft);
   }
 
-  /// Infinite where the weight's coefficients have no common sign.
-  double distance_from_chord(const Part& part, const Approximate_point<Dim>& from, const Approximate_point<Dim>& to) const
+  using Point = std::array<Interval, size>;
+
+  /// Roundings, not bending, are what keeps the distance from being small.
+  static bool is_poor(double distance, double rounding, const Draft& draft)
   {
-    double greatest = 0;
+    return !std::isfinite(distance) || (distance > draft.tolerance && distance <= 4 * rounding);
+  }
+
+  /// The same part, its forms enclosed from exact ones on it.
+  Part afresh(std::size_t piece, const Part& part) const
+  {
+    const Curve_piece<Dim>& forms = work_->pieces[piece].forms;
+    const Rational lo(part.lo), hi(part.hi);
+    const auto on_part = [&](const Bernstein<Rational, 1>& f) {
+      return converted<Interval>(restrict_to(f, 0, lo, hi), [](const Rational& c) { return enclosing(c); });
+    };
+    Part fresh{part.lo, part.hi, {}, on_part(forms.weight), part.hi - part.lo};
+    for (std::size_t k = 0; k < size; ++k)
+      fresh.numerator[k] = on_part(subtract(forms.numerator[k], multiply(forms.weight, Rational(work_->centre[k]))));
+    return fresh;
+  }
+
+  /// A printed point in frame coordinates.
+  Point framed(const Approximate_point<Dim>& p) const
+  {
+    const int e = static_cast<int>(-work_->frame.exponent);
+    return vector_of<size>([&](std::size_t k) {
+      const Interval x = Interval(p[k]) - enclosing(work_->frame.origin[k]);
+      return Interval(std::ldexp(x.inf(), e), std::ldexp(x.sup(), e));
+    });
+  }
+
+  /// With how much of it roundings may account for, both in frame units. Infinite where the weight's coefficients have no common sign.
+  std::pair<double, double> distance_from_chord(const Part& part, const Approximate_point<Dim>& first, const Approximate_point<Dim>& last) const
+  {
+    const Point from = framed(first), to = framed(last);
+    double greatest = 0, rounding = 0;
     const bool positive = part.weight[0].inf() > 0;
     for (std::size_t i = 0; i < part.weight.size(); ++i) {
       const Interval& w = part.weight[i];
-      if (!(positive ? w.inf() > 0 : w.sup() < 0)) return std::numeric_limits<double>::infinity();
-      std::array<Interval, size> p;
-      for (std::size_t k = 0; k < size; ++k)
-        p[k] = work_->frame.out_of(part.numerator[k][i] / w + Interval(work_->centre[k]), k) - Interval(from[k]);
+      if (!(positive ? w.inf() > 0 : w.sup() < 0)) return {std::numeric_limits<double>::infinity(), 0};
       Interval along(0), length2(0), square(0);
+      Point p;
       for (std::size_t k = 0; k < size; ++k) {
-        const Interval d = Interval(to[k]) - Interval(from[k]);
+        const Interval x = part.numerator[k][i] / w;
+        rounding = std::max(rounding, width(x));
+        p[k] = x + Interval(work_->centre[k]) - from[k];
+        const Interval d = to[k] - from[k];
         along += p[k] * d;
         length2 += CGAL::square(d);
       }
       // Any point of the chord bounds the distance from above: a good one.
       const double f = length2.inf() > 0 ? std::min(1.0, std::max(0.0, midpoint(along) / midpoint(length2))) : 0.0;
-      for (std::size_t k = 0; k < size; ++k)
-        square += CGAL::square(p[k] - Interval(f) * (Interval(to[k]) - Interval(from[k])));
+      for (std::size_t k = 0; k < size; ++k) square += CGAL::square(p[k] - Interval(f) * (to[k] - from[k]));
       greatest = std::max(greatest, CGAL::sqrt(square).sup());
     }
-    return greatest;
+    return {greatest, rounding};
   }
 
   std::shared_ptr<const Path_work<Dim>> work_;

@@ -12,11 +12,12 @@ struct Bisector_options {
   Solve_control control;
   bool keep_cells = false; ///< keep the cells of the subdivision in the result, for pictures
   bool keep_evidence = false; ///< keep what a certificate is written from
+  double least_cut_radius = 0; ///< arcs to infinity are drawn at least so far from the inputs' middle
 };
 
 namespace detail {
 
-inline std::shared_ptr<Planar_solution> framed_solution(const std::vector<const Curve_2*>& curves)
+inline std::shared_ptr<Planar_solution> framed_solution(const std::vector<const Curve_2*>& curves, double least_cut_radius)
 {
   std::vector<Exact_point<2>> points;
   for (const Curve_2* curve : curves) collect_control_points(*curve, points);
@@ -24,6 +25,7 @@ inline std::shared_ptr<Planar_solution> framed_solution(const std::vector<const 
   solution->frame = fitting_frame<2>(points);
   for (std::size_t k = 0; k < 2; ++k) solution->origin[k] = enclosing(solution->frame.origin[k]);
   measure_inputs(points, *solution);
+  solution->cut_radius = std::max(solution->cut_radius, std::ldexp(least_cut_radius, static_cast<int>(-solution->frame.exponent)));
   return solution;
 }
 
@@ -60,7 +62,7 @@ inline std::optional<Locus<2>> attempted_bisector(const Curve_2& a, const Curve_
 {
   constexpr std::size_t most_cuts = 24;
   const bool is_self = b == nullptr;
-  auto solution = framed_solution(is_self ? std::vector<const Curve_2*>{&a} : std::vector<const Curve_2*>{&a, b});
+  auto solution = framed_solution(is_self ? std::vector<const Curve_2*>{&a} : std::vector<const Curve_2*>{&a, b}, options.least_cut_radius);
   const auto inputs = framed_inputs(a, b, solution->frame, cuts);
   const Planar_pieces &first = *inputs[0], &second = *inputs[1];
   Cell_keeper keeper;

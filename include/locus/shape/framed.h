@@ -25,6 +25,36 @@ Curve_piece<Dim> in_frame(Curve_piece<Dim> piece, const Frame<Dim>& frame)
   return piece;
 }
 
+/// The same point by forms whose greatest coefficient is about one: they may be of any size.
+template <int Dim>
+Curve_piece<Dim> with_unit_forms(Curve_piece<Dim> piece)
+{
+  Rational greatest = 0;
+  const auto look_at = [&](const Bernstein<Rational, 1>& f) {
+    for (const Rational& c : f.coefficients()) greatest = std::max(greatest, Rational(abs(c)));
+  };
+  for (const auto& f : piece.numerator) look_at(f);
+  look_at(piece.weight);
+  const long bits = static_cast<long>(mpz_sizeinbase(greatest.get_num_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(greatest.get_den_mpz_t(), 2));
+  Rational factor = 1;
+  if (bits >= 0) mpq_div_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<mp_bitcnt_t>(bits));
+  else mpq_mul_2exp(factor.get_mpq_t(), factor.get_mpq_t(), static_cast<mp_bitcnt_t>(-bits));
+  for (auto& f : piece.numerator) f = multiply(f, factor);
+  piece.weight = multiply(piece.weight, factor);
+  return piece;
+}
+
+/// Throws Unsupported_feature where lengths in a frame have no place among doubles.
+template <int Dim>
+void require_drawable(const Frame<Dim>& frame)
+{
+  constexpr long most = 1000; // squares are formed in the frame, lengths outside of it
+  bool good = std::abs(frame.exponent) <= most;
+  for (const Rational& x : frame.origin)
+    good = good && mpz_sizeinbase(x.get_num_mpz_t(), 2) <= mpz_sizeinbase(x.get_den_mpz_t(), 2) + static_cast<std::size_t>(most);
+  if (!good) throw Unsupported_feature("coordinates beyond 1e300, or all within 1e-300, in what is to be drawn");
+}
+
 /// Adds the corners of a piece's control polygon. Where weights are not all positive its hull says nothing: such a piece is
 /// halved until they are, or, where it goes to infinity at an end, its finite control points are taken.
 template <int Dim>

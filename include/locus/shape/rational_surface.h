@@ -11,6 +11,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -350,6 +351,28 @@ inline Rational_surface bspline_surface(const Degrees<2>& degrees, const std::ve
                                  "knots that ask for " + std::to_string(counts[0]) + " × " + std::to_string(counts[1]));
   return detail::surface_on(valid, points, weights);
 }
+
+namespace detail {
+
+/// Adds the corners of a piece's control net; halved where weights are not all positive, since the hull says nothing then.
+inline void collect_control_points(const Surface_piece& piece, std::vector<Exact_point<3>>& points, int variable = 0)
+{
+  const auto& w = piece.weight.coefficients();
+  if (!std::all_of(w.begin(), w.end(), [](const Rational& x) { return x > 0; })) {
+    std::array<Surface_piece, 2> halves;
+    const auto cut = [&](const Bernstein<Rational, 2>& f) { return split(f, variable, Rational(1, 2)); };
+    for (std::size_t k = 0; k < 3; ++k) std::tie(halves[0].numerator[k], halves[1].numerator[k]) = cut(piece.numerator[k]);
+    std::tie(halves[0].weight, halves[1].weight) = cut(piece.weight);
+    for (const Surface_piece& half : halves) collect_control_points(half, points, 1 - variable);
+    return;
+  }
+  for (std::size_t i = 0; i < piece.numerator[0].size(); ++i) {
+    const Rational& weight = piece.weight[piece.is_polynomial() ? 0 : i];
+    points.push_back({Rational(piece.numerator[0][i] / weight), Rational(piece.numerator[1][i] / weight), Rational(piece.numerator[2][i] / weight)});
+  }
+}
+
+} // namespace detail
 
 } // namespace locus
 
