@@ -1075,7 +1075,7 @@ def check_space_bisector(name, text, *arguments, statuses=(0, 1)):
     feet = [Foot(i) for i in inputs_of(text)]
     keys = [k for k in cli_test.KEYS]
     keys[keys.index("regions"):keys.index("regions")] = ["sheets"] + (["rational"] if "rational" in data else [])
-    check(list(data) == keys and data["compute"] == "bisector" and data["trimmed"] is False, f"{name}: keys {list(data)}")
+    check(list(data) == keys and data["compute"] == "bisector" and data["trimmed"] is json.loads(text).get("options", {}).get("trimmed", True), f"{name}: keys {list(data)}")
     check(data["arcs"] == [], f"{name}: {len(data['arcs'])} arcs")
     check_scale(name, feet, data)
     check(data["components"] == len(data["sheets"]), f"{name}: {data['components']} components of {len(data['sheets'])} sheets")

@@ -164,19 +164,31 @@ int planar_bisector(const Settings& settings, const locus::Job& job, const std::
   return exit_of(status);
 }
 
+/// Names the input of which a computation says that it cannot be done yet.
+template <class Compute>
+auto of_first_input(Compute compute)
+{
+  try {
+    return compute();
+  } catch (const locus::Unsupported_feature& e) {
+    throw locus::Unsupported_feature("inputs[0]: " + std::string(e.what()));
+  }
+}
+
 int planar_curvature(const Settings& settings, const locus::Job& job, double tolerance)
 {
   refuse_outputs(settings, true, false, false);
   const locus::Curve_2& curve = *job.inputs[0].curve;
-  const locus::Locus<2> evolute = locus::evolute(curve);
-  const auto analysis = locus::analyse_curvature(curve);
-  locus::Status status = locus::Status::certified;
+  const locus::Locus<2> evolute = of_first_input([&] { return locus::evolute(curve); });
+  const auto analysis = of_first_input([&] { return locus::analyse_curvature(curve); });
+  const bool wants_evolute = job.compute == "evolute";
+  locus::Status status = wants_evolute ? evolute.status() : locus::Status::certified;
   for (const auto& arc : evolute.arcs())
-    if (job.compute == "evolute" && !std::isfinite(arc.polyline(tolerance).error())) status = locus::Status::undecided;
+    if (wants_evolute && !std::isfinite(arc.polyline(tolerance).error())) status = locus::Status::undecided;
   if (const std::string json = json_file(settings); !json.empty())
     write_output(json, [&](std::ostream& out) {
-      if (job.compute == "curvature") locus::write_json(out, analysis, {curve});
-      else status = locus::write_json(out, evolute, tolerance, {}, {curve});
+      if (wants_evolute) locus::write_json(out, evolute, tolerance, {}, {curve});
+      else locus::write_json(out, analysis, {curve});
     });
   if (!settings.svg.empty())
     write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, evolute, {curve}, analysis.points); });
@@ -187,21 +199,25 @@ int space_curvature(const Settings& settings, const locus::Job& job, double tole
 {
   refuse_outputs(settings, false, false, false);
   const locus::Curve_3& curve = *job.inputs[0].space_curve;
-  locus::Status status = locus::Status::certified;
-  write_output(json_file(settings), [&](std::ostream& out) {
-    if (job.compute == "curvature") locus::write_json(out, locus::analyse_curvature(curve), {curve});
-    else status = locus::write_json(out, locus::evolute(curve), tolerance, {}, {curve});
-  });
+  if (job.compute == "curvature") {
+    const auto analysis = of_first_input([&] { return locus::analyse_curvature(curve); });
+    write_output(json_file(settings), [&](std::ostream& out) { locus::write_json(out, analysis, {curve}); });
+    return answered;
+  }
+  const locus::Locus<3> evolute = of_first_input([&] { return locus::evolute(curve); });
+  locus::Status status = evolute.status();
+  write_output(json_file(settings), [&](std::ostream& out) { status = locus::write_json(out, evolute, tolerance, {}, {curve}); });
   return exit_of(status);
 }
 
 locus::Exact_point<3> space_point(const locus::Job_input& input) { return {(*input.point)[0], (*input.point)[1], (*input.point)[2]}; }
 
 /// Of inputs in space whose bisector is rational, as `require_supported` lets them through.
-locus::Locus<3> bisector_in_space(const locus::Job_input& a, const locus::Job_input& b, const locus::Mesh_options& options)
+locus::Locus<3> bisector_in_space(const locus::Job_input& a, const locus::Job_input& b, const locus::Mesh_options& options, bool trimmed)
 {
-  if (a.point && b.point) return locus::bisector(space_point(a), space_point(b), options);
-  if (!a.point && b.point) return bisector_in_space(b, a, options);
+  if (a.point && b.point && trimmed) return locus::bisector(space_point(a), space_point(b), options);
+  if (a.point && b.point) return locus::untrimmed_bisector(space_point(a), space_point(b), options);
+  if (!a.point && b.point) return bisector_in_space(b, a, options, trimmed);
   if (!a.point) return locus::untrimmed_bisector(*a.space_curve, *b.space_curve, options);
   if (b.surface) return locus::untrimmed_bisector(space_point(a), *b.surface, options);
   return locus::untrimmed_bisector(space_point(a), *b.space_curve, options);
@@ -217,7 +233,7 @@ int space_bisector(const Settings& settings, const locus::Job& job, double toler
   options.control = watched.control;
   const locus::Locus<3> result = [&] {
     try {
-      return bisector_in_space(job.inputs[0], job.inputs[1], options);
+      return bisector_in_space(job.inputs[0], job.inputs[1], options, job.options.trimmed);
     } catch (const locus::Invalid_input& e) {
       throw e.within("inputs[1]"); // one point twice
     } catch (const locus::Unsupported_feature& e) {

@@ -273,19 +273,35 @@ inline void continue_rulings(const Ruled_forms& before, Ruled_forms& after)
 
 } // namespace detail
 
-/// The plane of points at equal distance from two points, drawn up to the cut radius. Throws Invalid_input for one point twice.
-inline Locus<3> bisector(const Exact_point<3>& a, const Exact_point<3>& b, const Mesh_options& options = {})
+namespace detail {
+
+inline Locus<3> point_point_bisector(const Exact_point<3>& a, const Exact_point<3>& b, const Mesh_options& options, bool trimmed)
 {
   if (a == b) throw Invalid_input("", "both points are the same, so all points are equally far from them", "give two different points");
   return with_upward_rounding([&] {
-    detail::Bisector_3_maker maker({a, b}, options);
+    Bisector_3_maker maker({a, b}, options);
     const Rational_map<3, 2> map = point_point_bisector_map(a, b, Rational(maker.scale() * 12));
-    const Approximate_point<3> foot = detail::framed_point(a, maker.frame());
+    const Approximate_point<3> foot = framed_point(a, maker.frame());
     maker.draw(map, {1, 1}, {false, false}, [foot](std::size_t, double, double, const Approximate_point<3>& p) {
-      return Vertex_description{{}, detail::distance_from(p, foot)};
+      return Vertex_description{{}, distance_from(p, foot)};
     });
+    maker.data().trimmed = trimmed;
     return maker.finish(map.degrees(), map);
   });
+}
+
+} // namespace detail
+
+/// The plane of points at equal distance from two points, drawn up to the cut radius. Throws Invalid_input for one point twice.
+inline Locus<3> bisector(const Exact_point<3>& a, const Exact_point<3>& b, const Mesh_options& options = {})
+{
+  return detail::point_point_bisector(a, b, options, true);
+}
+
+/// The same plane: of two points all solutions are nearest.
+inline Locus<3> untrimmed_bisector(const Exact_point<3>& a, const Exact_point<3>& b, const Mesh_options& options = {})
+{
+  return detail::point_point_bisector(a, b, options, false);
 }
 
 /// All points at equal distance from a point and from a foot on a curve, in the foot's normal plane: a ruled surface. The exact
