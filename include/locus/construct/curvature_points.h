@@ -202,7 +202,7 @@ public:
       if (degree(standstill_[i]) < 1) continue;
       for (auto root : exact_roots(bernstein_form(standstill_[i]), Rational(0), Rational(1)).roots) {
         if (root.is_exact() && (root.lo == 0 || root.lo == 1)) continue; // a joint's or an end's
-        refine_root(root, 120);
+        refine_root(root, 80);
         Curvature_point<Dim> p;
         p.kind = Curvature_event::cusp;
         p.multiplicity = root.multiplicity;
@@ -291,7 +291,7 @@ private:
       const int end = root.lo == 1 ? 1 : 0;
       if (at_end && (chain_.joint_at(i, end) || is_singular_at(i, end))) continue;
       if (!at_end && vanishes_at(standstill_[i], root)) continue;
-      refine_root(root, 120);
+      refine_root(root, 80);
       Curvature_point<Dim> p;
       p.kind = kind;
       p.multiplicity = root.multiplicity;

@@ -93,7 +93,7 @@ struct Path_work {
 private:
   static bool is_narrow(const Point& x)
   {
-    return std::all_of(x.begin(), x.end(), [](const Interval& c) { return width(c) <= 1e-12 * std::max(1.0, magnitude(c)); });
+    return std::all_of(x.begin(), x.end(), [](const Interval& c) { return width(c) <= 1e-10 * std::max(1.0, magnitude(c)); });
   }
 
   /// Infinite at a pole.
