@@ -101,6 +101,18 @@ bool is_well_formed(const Rational_curve<Dim>& c)
   return true;
 }
 
+/// Cox and de Boor's recursion for the basis functions; at the last value of the domain from the left.
+inline Rational basis(const std::vector<Rational>& u, std::size_t i, int d, const Rational& x, const Rational& last)
+{
+  if (d == 0) return u[i] < u[i + 1] && u[i] <= x && (x < u[i + 1] || (x == last && x == u[i + 1])) ? 1 : 0;
+  const auto k = static_cast<std::size_t>(d);
+  Rational sum = 0;
+  if (u[i + k] != u[i]) sum += Rational((x - u[i]) / (u[i + k] - u[i])) * basis(u, i, d - 1, x, last);
+  if (u[i + k + 1] != u[i + 1])
+    sum += Rational((u[i + k + 1] - x) / (u[i + k + 1] - u[i + 1])) * basis(u, i + 1, d - 1, x, last);
+  return sum;
+}
+
 // ------------------------------------------------------------------------------------------------------------ joints
 
 /// Coefficients of 1, s, s², … of a Bernstein form, from its definition.

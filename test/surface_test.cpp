@@ -38,18 +38,6 @@ struct Nurbs_surface {
   }
 };
 
-/// Cox and de Boor's recursion for the basis functions; at the last value of the domain from the left.
-Rational basis(const std::vector<Rational>& u, std::size_t i, int d, const Rational& x, const Rational& last)
-{
-  if (d == 0) return u[i] < u[i + 1] && u[i] <= x && (x < u[i + 1] || (x == last && x == u[i + 1])) ? 1 : 0;
-  const auto k = static_cast<std::size_t>(d);
-  Rational sum = 0;
-  if (u[i + k] != u[i]) sum += Rational((x - u[i]) / (u[i + k] - u[i])) * basis(u, i, d - 1, x, last);
-  if (u[i + k + 1] != u[i + 1])
-    sum += Rational((u[i + k + 1] - x) / (u[i + k + 1] - u[i + 1])) * basis(u, i + 1, d - 1, x, last);
-  return sum;
-}
-
 Point defined_point(const Nurbs_surface& s, const std::array<Rational, 2>& at)
 {
   Point p{};

@@ -79,7 +79,6 @@ public:
   Locus_data<3>& data() { return data_; }
   const Frame<3>& frame() const { return frame_; }
   Rational scale() const { return exact_rational(data_.scale); }
-  const Mesh_options& options() const { return options_; }
 
   /// The inputs' surroundings, for charts over a coordinate.
   Coordinate_ranges surroundings() const

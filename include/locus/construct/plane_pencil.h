@@ -88,15 +88,13 @@ private:
     return forms;
   }
 
-  static bool is_strict(const Bernstein<Rational, 1>& f) { return detail::all_of_one_sign(f); }
-
   /// Neighbouring parts of one coordinate are one part.
   static void split_by_signs(const Polynomial_vector<1, 3>& direction, const Part& part, std::vector<Part>& parts)
   {
     std::size_t best = 3;
     Rational greatest = -1;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!is_strict(direction[k])) continue;
+      if (!detail::all_of_one_sign(direction[k])) continue;
       Rational least = abs(direction[k][0]);
       for (const Rational& c : direction[k].coefficients()) least = std::min(least, Rational(abs(c)));
       if (least > greatest) {
@@ -105,7 +103,7 @@ private:
       }
     }
     // The coordinate of the part before goes on where it can.
-    if (!parts.empty() && is_strict(direction[parts.back().coordinate])) best = parts.back().coordinate;
+    if (!parts.empty() && detail::all_of_one_sign(direction[parts.back().coordinate])) best = parts.back().coordinate;
     if (best < 3) {
       if (!parts.empty() && parts.back().coordinate == best) parts.back().hi = part.hi;
       else parts.push_back({part.lo, part.hi, best});

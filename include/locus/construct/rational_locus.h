@@ -202,10 +202,10 @@ private:
     v.kind = Vertex_kind::infinity;
     v.multiplicity = pole.root.multiplicity;
     v.feet.push_back(foot_at(i, s.enclosure()));
-    const auto values = [&](int order) {
-      return vector_of<size>([&](std::size_t k) { return value_at(derived(p.numerator[k], order), s); });
+    const auto values = [&](const Polynomial_vector<1, size>& forms) {
+      return vector_of<size>([&](std::size_t k) { return value_at(forms[k], s); });
     };
-    const auto n = values(0);
+    const auto n = values(p.numerator);
     Interval square(0);
     double widest = 0;
     for (const Interval& x : n) {
@@ -217,16 +217,10 @@ private:
       Approximate_point<Dim> direction;
       for (std::size_t k = 0; k < size; ++k) direction[k] = representative(n[k]) / length;
       v.direction = direction;
-      if (pole.root.multiplicity == 1) v.asymptote = asymptote_at(p, s, n, values(1), direction);
+      if (pole.root.multiplicity == 1) v.asymptote = asymptote_at(p, s, n, values(derivative(p.numerator)), direction);
     }
     data_.vertices.push_back(std::move(v));
     return data_.vertices.size() - 1;
-  }
-
-  static Bernstein<Rational, 1> derived(Bernstein<Rational, 1> f, int order)
-  {
-    for (; order > 0; --order) f = derivative(f);
-    return f;
   }
 
   using Point = std::array<Interval, size>;
@@ -235,7 +229,8 @@ private:
   std::optional<Asymptote<Dim>> asymptote_at(const Curve_piece<Dim>& p, const Fine_place& s, const Point& n, const Point& dn,
                                              const Approximate_point<Dim>& direction) const
   {
-    const Interval dw = value_at(derived(p.weight, 1), s), ddw = value_at(derived(p.weight, 2), s);
+    const Bernstein<Rational, 1> slope = derivative(p.weight);
+    const Interval dw = value_at(slope, s), ddw = value_at(derivative(slope), s);
     Asymptote<Dim> asymptote;
     asymptote.direction = direction;
     for (std::size_t k = 0; k < size; ++k) {

@@ -33,12 +33,6 @@ public:
     const Jet<Interval> here(s, Interval(1), Interval(0)), w = weight_.along(here);
     return vector_of<size>([&](std::size_t k) { return numerator_[k].along(here) / w; });
   }
-  /// Derivatives of numerator and weight of order k ≤ 2.
-  Point numerator(const Interval& s, std::size_t k) const
-  {
-    return vector_of<size>([&](std::size_t v) { return numerator_[v].at(s, k); });
-  }
-  Interval weight(const Interval& s, std::size_t k) const { return weight_.at(s, k); }
 
 private:
   std::array<Enclosed_function, size> numerator_;

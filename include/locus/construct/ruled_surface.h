@@ -36,12 +36,12 @@ inline Piece finite_piece(const Rational& lo, const Rational& hi)
 /// The linear function that runs from lo to hi.
 inline Bernstein<Rational, 1> ramp(const Rational& lo, const Rational& hi) { return {Degrees<1>{1}, {lo, hi}}; }
 
-/// The polynomials of one variable that a ruled surface (point + λ·generator)/weight consists of. A factor that all have in
-/// common is divided out, and one of the generator alone where that is asked for: it only changes λ.
+/// The polynomials of one variable that a ruled surface (point + λ·generator)/weight consists of.
 struct Ruled_forms {
   Polynomial_vector<1, 3> point, generator;
   Bernstein<Rational, 1> weight;
 
+  /// Divides out the factor that all have in common.
   void reduce()
   {
     const auto all = without_common_factor(
