@@ -164,6 +164,41 @@ int planar_bisector(const Settings& settings, const locus::Job& job, const std::
   return exit_of(status);
 }
 
+/// Of a point and a curve.
+locus::Locus<2> point_curve_bisector(const locus::Job& job, const locus::Solve_control& control)
+{
+  const bool point_first = job.inputs[0].kind == locus::Job_input::Kind::point;
+  const std::vector<locus::Rational>& p = *job.inputs[point_first ? 0 : 1].point;
+  const locus::Coordinates_2 point{p[0], p[1]};
+  const locus::Curve_2& curve = *job.inputs[point_first ? 1 : 0].curve;
+  if (!job.options.trimmed) return locus::untrimmed_bisector(point, curve, point_first);
+  locus::Point_bisector_options options;
+  options.control = control;
+  options.point_first = point_first;
+  options.keep_rational = true;
+  return locus::bisector(point, curve, options);
+}
+
+int planar_point_bisector(const Settings& settings, const locus::Job& job, double tolerance)
+{
+  refuse_outputs(settings, true, false, false);
+  Watched_run watched(settings);
+  const locus::Locus<2> result = point_curve_bisector(job, watched.control);
+  watched.done();
+  std::vector<locus::Curve_2> curves;
+  std::vector<locus::Exact_point<2>> points;
+  for (const locus::Job_input& input : job.inputs)
+    if (input.curve) curves.push_back(*input.curve);
+    else points.push_back({(*input.point)[0], (*input.point)[1]});
+  locus::Status status = result.status();
+  const std::string json = json_file(settings);
+  if (!json.empty())
+    write_output(json, [&](std::ostream& out) { status = locus::write_json(out, result, tolerance, watched.on_arc(json), curves); });
+  watched.clear();
+  if (!settings.svg.empty()) write_output(settings.svg, [&](std::ostream& out) { locus::write_svg(out, result, curves, {}, points); });
+  return exit_of(status);
+}
+
 /// Names the input of which a computation says that it cannot be done yet.
 template <class Compute>
 auto of_first_input(Compute compute)
@@ -263,7 +298,9 @@ int run(const Settings& settings)
   const bool planar = job.inputs[0].dimension == 2;
   const double wanted = tolerance ? as_double(*tolerance) : planar || job.compute != "bisector" ? 1e-6 : locus::Mesh_options().tolerance;
   if (job.compute != "bisector") return planar ? planar_curvature(settings, job, wanted) : space_curvature(settings, job, wanted);
-  return planar ? planar_bisector(settings, job, text, wanted) : space_bisector(settings, job, wanted);
+  if (!planar) return space_bisector(settings, job, wanted);
+  const bool has_point = std::any_of(job.inputs.begin(), job.inputs.end(), [](const locus::Job_input& i) { return i.kind == locus::Job_input::Kind::point; });
+  return has_point ? planar_point_bisector(settings, job, wanted) : planar_bisector(settings, job, text, wanted);
 }
 
 std::string counted(std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }

@@ -2,8 +2,11 @@
 #ifndef LOCUS_BISECTOR_2_H
 #define LOCUS_BISECTOR_2_H
 
-/// Bisectors of curves in the plane: constructors of curves and `untrimmed_bisector`.
+/// Bisectors in the plane: constructors of curves, `untrimmed_bisector` of curves and of a point and a curve, `bisector` of a point
+/// and a curve.
 
+#include <locus/construct/point_curve_bisector.h>
+#include <locus/construct/point_curve_map.h>
 #include <locus/construct/untrimmed_bisector_2.h>
 #include <locus/shape/constructors_2.h>
 #include <locus/shape/edit_curve.h>

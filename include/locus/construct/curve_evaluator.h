@@ -15,8 +15,13 @@ public:
   Enclosed_function() = default;
 
   explicit Enclosed_function(const Bernstein<Rational, 1>& f)
+    : Enclosed_function(converted<Interval>(f, [](const Rational& c) { return enclosing(c); }))
   {
-    Bernstein<Bounded, 1> g = bounded(converted<Interval>(f, [](const Rational& c) { return enclosing(c); }));
+  }
+
+  explicit Enclosed_function(const Bernstein<Interval, 1>& f)
+  {
+    Bernstein<Bounded, 1> g = bounded(f);
     for (Order& order : orders_) {
       const Bernstein<Bounded, 1> next = derivative(g);
       order.f = g;

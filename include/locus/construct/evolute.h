@@ -5,6 +5,8 @@
 #include <locus/construct/derived_curves.h>
 #include <locus/construct/rational_locus.h>
 
+#include <chrono>
+
 namespace locus {
 
 /// The evolute of a curve in the plane or in space, the locus of its centres of curvature, as arcs: they go to infinity at

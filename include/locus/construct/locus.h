@@ -198,6 +198,21 @@ struct Degenerate_piece {
   std::string reason;
 };
 
+/// Part of a rational curve's parameter that belongs to the locus: an end is a rational number or an algebraic one, enclosed.
+struct Kept_interval {
+  std::size_t piece = 0; ///< of the rational curve
+  std::array<Range, 2> ends;
+  std::array<std::optional<Rational>, 2> exact; ///< none where the end is irrational or infinite
+};
+
+/// The boundary of a convex cell: its arcs counterclockwise, of which those listed as `reversed` run clockwise themselves.
+struct Cell_outline {
+  std::size_t input = 0; ///< the input that is nearest inside
+  std::vector<std::size_t> arcs;
+  std::vector<char> reversed;
+  bool bounded = false;
+};
+
 /// A two-dimensional piece of a locus.
 struct Region {
   std::vector<std::size_t> arcs;
@@ -255,8 +270,10 @@ struct Locus_data {
   std::vector<Arc<Dim>> arcs;
   std::vector<Sheet> sheets;
   std::optional<Rational_map<Dim, 1>> rational_curve;
+  std::optional<std::vector<Kept_interval>> kept; ///< all of it where there is none
   std::optional<Rational_map<Dim, 2>> rational_surface;
   std::vector<Region> regions;
+  std::optional<Cell_outline> outline;
   std::vector<Degenerate_piece> degenerate;
   std::vector<Undecided_piece> undecided;
   std::vector<Equation_info> equations;
@@ -284,8 +301,12 @@ public:
   const std::vector<Sheet>& sheets() const { return data_.sheets; }
   /// The exact curve or surface, where the locus is rational; its parts at infinity included.
   const std::optional<Rational_map<Dim, 1>>& rational_curve() const { return data_.rational_curve; }
+  /// The parts of the rational curve that survive trimming, by pieces; nothing where it is not trimmed.
+  const std::optional<std::vector<Kept_interval>>& kept_intervals() const { return data_.kept; }
   const std::optional<Rational_map<Dim, 2>>& rational_surface() const { return data_.rational_surface; }
   const std::vector<Region>& regions() const { return data_.regions; }
+  /// Where the locus bounds the convex cell of an input, in which order.
+  const std::optional<Cell_outline>& outline() const { return data_.outline; }
   const std::vector<Degenerate_piece>& degenerate() const { return data_.degenerate; }
   const std::vector<Undecided_piece>& undecided() const { return data_.undecided; }
   const std::vector<Equation_info>& equations() const { return data_.equations; }

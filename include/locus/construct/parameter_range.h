@@ -17,10 +17,19 @@ public:
     is_unit_ = piece.is_finite() && piece.lo == 0 && piece.hi == 1;
   }
 
+  /// One value for all of the unit interval.
+  static Parameter_range constant(const Range& value)
+  {
+    Parameter_range range;
+    range.constant_ = value;
+    return range;
+  }
+
   /// An infinite end is an infinity.
   Range at(const Interval& u) const
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
+    if (constant_) return *constant_;
     if (u.sup() == 0) return lo_infinite_ ? Range{-infinite, -infinite} : Range{lo_.inf(), lo_.sup()};
     if (u.inf() == 1) return hi_infinite_ ? Range{infinite, infinite} : Range{hi_.inf(), hi_.sup()};
     if (hi_infinite_) return clipped(lo_ / (Interval(1) - Interval(u.inf(), std::min(1.0, u.sup()))));
@@ -36,6 +45,7 @@ private:
 
   Interval lo_ = Interval(0), hi_ = Interval(1);
   bool lo_infinite_ = false, hi_infinite_ = false, is_unit_ = true;
+  std::optional<Range> constant_;
 };
 
 } // namespace locus

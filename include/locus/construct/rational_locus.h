@@ -2,14 +2,20 @@
 #ifndef LOCUS_CONSTRUCT_RATIONAL_LOCUS_H
 #define LOCUS_CONSTRUCT_RATIONAL_LOCUS_H
 
-#include <locus/construct/rational_path.h>
-#include <locus/function/root_value.h>
+#include <locus/construct/path_ends.h>
 #include <locus/shape/cusps.h>
 
-#include <chrono>
 
 namespace locus {
 namespace detail {
+
+/// Of which inputs a derived curve is, and what else lies in the picture: feet are on input `curve_input`.
+struct Locus_labels {
+  std::size_t curve_input = 0;
+  std::optional<std::size_t> point_input; ///< a point that is a foot everywhere
+  std::vector<std::size_t> inputs{0};
+  std::vector<Feature> features{Feature::interior};
+};
 
 /// Makes a locus of a rational curve that was derived from a curve piece by piece: arcs between its poles, joined where the
 /// curve's normal turns continuously and the images meet.
@@ -18,9 +24,11 @@ class Rational_locus_maker {
 public:
   static constexpr auto size = static_cast<std::size_t>(Dim);
 
-  Rational_locus_maker(const Rational_curve<Dim>& curve, const Rational_map<Dim, 1>& map) : chain_(curve.chain()), work_(std::make_shared<Path_work<Dim>>())
+  /// `points`: more of what the picture is to hold.
+  Rational_locus_maker(const Rational_curve<Dim>& curve, const Rational_map<Dim, 1>& map, Locus_labels labels = {},
+                       std::vector<Exact_point<Dim>> points = {})
+    : labels_(std::move(labels)), chain_(curve.chain()), work_(std::make_shared<Path_work<Dim>>())
   {
-    std::vector<Exact_point<Dim>> points;
     collect_control_points(curve, points);
     work_->frame = fitting_frame<Dim>(points);
     require_drawable(work_->frame);
@@ -37,6 +45,10 @@ public:
     join_pieces();
     make_ends();
     make_arcs();
+    if (labels_.point_input) {
+      add_point_feet();
+      note_missing_pieces();
+    }
     data_.scale = work_->frame.length(Interval(work_->scale)).sup();
     data_.cut_radius = work_->frame.length(Interval(work_->cut_radius)).sup();
     for (std::size_t k = 0; k < size; ++k) data_.centre[k] = midpoint(work_->frame.out_of(Interval(work_->centre[k]), k));
@@ -56,7 +68,7 @@ private:
   {
     std::size_t i = 0;
     for (const auto& piece : map.pieces()) {
-      while (!same_range(chain_.pieces[i], piece.range[0])) ++i;
+      for (; !same_range(chain_.pieces[i], piece.range[0]); ++i) missing_.push_back(i);
       Curve_piece<Dim> image{piece.numerator, piece.weight};
       // As a curve's, a constant weight would be of degree zero.
       image = with_unit_forms(in_frame(homogenised(std::move(image)), work_->frame));
@@ -64,9 +76,10 @@ private:
       source_.push_back(i);
       ++i;
     }
+    for (; i < chain_.pieces.size(); ++i) missing_.push_back(i);
   }
 
-  static bool same_range(const Piece& a, const Piece& b)
+  static bool same_range(const Piece& a, const Piece& b) // of one chain
   {
     return a.lo_infinite == b.lo_infinite && a.hi_infinite == b.hi_infinite && (a.lo_infinite || a.lo == b.lo) && (a.hi_infinite || a.hi == b.hi);
   }
@@ -88,7 +101,7 @@ private:
 
   bool is_pole(std::size_t i, int end) const
   {
-    const Bernstein<Rational, 1>& w = work_->pieces[i].forms.weight;
+    const Bernstein<Rational, 1>& w = work_->pieces[i].forms.get().weight;
     return w[end == 0 ? 0 : w.size() - 1] == 0;
   }
 
@@ -102,19 +115,19 @@ private:
   void cut_at_poles(std::size_t i)
   {
     first_stretch_.push_back(stretches_.size());
-    if (is_single_point(work_->pieces[i].forms)) {
+    if (is_single_point(work_->pieces[i].forms.get())) {
       note_single_point(i);
       last_stretch_.push_back(none);
       return;
     }
     std::vector<Pole> poles;
-    const Bernstein<Rational, 1>& weight = work_->pieces[i].forms.weight;
+    const Bernstein<Rational, 1>& weight = work_->pieces[i].forms.get().weight;
     if (!all_of_one_sign(weight))
       for (auto& root : exact_roots(Bernstein<Scaled_integer, 1>(weight), Rational(0), Rational(1)).roots) {
         refine(root);
         poles.push_back({std::move(root)});
       }
-    const Bernstein<Rational, 1> outside = poles.empty() ? Bernstein<Rational, 1>() : outside_form(i);
+    const Bernstein<Rational, 1> outside = poles.empty() ? Bernstein<Rational, 1>() : Path_ends<Dim>(*work_).outside_form(work_->pieces[i].forms.get());
     Rational from = 0;
     std::size_t before = none; // the vertex at the last pole
     const Pole* last = nullptr;
@@ -123,8 +136,8 @@ private:
       s.leg.piece = i;
       const double middle = nearest_double(Rational((from + to) / 2));
       // Ends towards poles are moved inwards to where the curve leaves the cut radius for good.
-      const std::optional<double> lo = last ? stop_towards(outside, last->root, to, from) : 0.0;
-      const std::optional<double> hi = next ? stop_towards(outside, next->root, from, to) : 1.0;
+      const std::optional<double> lo = last ? Path_ends<Dim>::stop_towards(outside, last->root, to, from) : 0.0;
+      const std::optional<double> hi = next ? Path_ends<Dim>::stop_towards(outside, next->root, from, to) : 1.0;
       if (!lo || !hi) note_open_stretch(i, from, to);
       s.leg.lo = lo.value_or(middle);
       s.leg.hi = hi.value_or(middle);
@@ -151,41 +164,6 @@ private:
       if (!bisect_exactly(*root.factor, Rational(0), Rational(1), root)) return;
   }
 
-  /// |p - c·w|² - R²·w², positive where the curve is outside the cut radius; exact, since near two poles it is tiny.
-  Bernstein<Rational, 1> outside_form(std::size_t i) const
-  {
-    using namespace operators;
-    const Curve_piece<Dim>& p = work_->pieces[i].forms;
-    const Rational r(work_->cut_radius);
-    Bernstein<Rational, 1> sum = multiply(p.weight * p.weight, Rational(-r * r));
-    for (std::size_t k = 0; k < size; ++k) {
-      const Bernstein<Rational, 1> x = subtract(p.numerator[k], multiply(p.weight, Rational(work_->centre[k])));
-      sum = sum + x * x;
-    }
-    return sum;
-  }
-
-  static bool is_positive(const Bernstein<Rational, 1>& f)
-  {
-    return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Rational& c) { return c > 0; });
-  }
-
-  /// From halfway to the pole on, the first place found beyond which all is outside. Near the pole it is; but nothing where no
-  /// double is near enough.
-  std::optional<double> stop_towards(const Bernstein<Rational, 1>& outside, const Isolated_root<Rational>& pole, const Rational& far, const Rational& near) const
-  {
-    constexpr int most_halvings = 60;
-    Rational gap = (near - far) / 2;
-    for (int i = 0; i < most_halvings; ++i, gap /= 2) {
-      const double at = nearest_double(Rational(near - gap));
-      const Rational place(at);
-      if (place <= std::min(near, far) || place >= std::max(near, far)) continue;
-      const bool before = far < near;
-      if (is_positive(restrict_to(outside, 0, before ? place : pole.lo, before ? pole.hi : place))) return at;
-    }
-    return std::nullopt;
-  }
-
   void note_open_stretch(std::size_t i, const Rational& from, const Rational& to)
   {
     Undecided_piece u;
@@ -196,72 +174,27 @@ private:
 
   std::size_t pole_vertex(std::size_t i, const Pole& pole)
   {
-    const Curve_piece<Dim>& p = work_->pieces[i].forms;
-    const Fine_place s = fine_place(pole.root);
-    Locus_vertex<Dim> v;
-    v.kind = Vertex_kind::infinity;
-    v.multiplicity = pole.root.multiplicity;
-    v.feet.push_back(foot_at(i, s.enclosure()));
-    const auto values = [&](const Polynomial_vector<1, size>& forms) {
-      return vector_of<size>([&](std::size_t k) { return value_at(forms[k], s); });
-    };
-    const auto n = values(p.numerator);
-    Interval square(0);
-    double widest = 0;
-    for (const Interval& x : n) {
-      square += CGAL::square(x);
-      widest = std::max(widest, width(x));
-    }
-    const double length = midpoint(CGAL::sqrt(square));
-    if (widest <= 1e-9 * length) { // else the direction is not known
-      Approximate_point<Dim> direction;
-      for (std::size_t k = 0; k < size; ++k) direction[k] = representative(n[k]) / length;
-      v.direction = direction;
-      if (pole.root.multiplicity == 1) v.asymptote = asymptote_at(p, s, n, values(derivative(p.numerator)), direction);
-    }
+    Locus_vertex<Dim> v = Path_ends<Dim>(*work_).infinite_vertex(work_->pieces[i].forms.get(), pole.root);
+    v.feet.push_back(foot_at(i, fine_place(pole.root).enclosure()));
     data_.vertices.push_back(std::move(v));
     return data_.vertices.size() - 1;
   }
 
-  using Point = std::array<Interval, size>;
-
-  /// x = N/w = N(s₀)/(w'·δ) + N'/w' - N·w''/(2w'²) + …; nothing where that is not known well.
-  std::optional<Asymptote<Dim>> asymptote_at(const Curve_piece<Dim>& p, const Fine_place& s, const Point& n, const Point& dn,
-                                             const Approximate_point<Dim>& direction) const
+  /// In the order of the inputs.
+  void add_point_feet()
   {
-    const Bernstein<Rational, 1> slope = derivative(p.weight);
-    const Interval dw = value_at(slope, s), ddw = value_at(derivative(slope), s);
-    Asymptote<Dim> asymptote;
-    asymptote.direction = direction;
-    for (std::size_t k = 0; k < size; ++k) {
-      const Interval x = dn[k] / dw - n[k] * ddw / (Interval(2) * dw * dw);
-      if (!(width(x) <= 1e-9 * std::max(work_->scale, magnitude(x)))) return std::nullopt;
-      asymptote.point[k] = representative(work_->frame.out_of(x, k));
+    for (Locus_vertex<Dim>& v : data_.vertices) {
+      Foot foot;
+      foot.input = *labels_.point_input;
+      foot.feature = Feature::point;
+      v.feet.insert(foot.input < labels_.curve_input ? v.feet.begin() : v.feet.end(), std::move(foot));
     }
-    return asymptote;
-  }
-
-  /// The point at a rational place, exact but for the last rounding, with its distance from the foot.
-  void place_exactly(std::size_t i, const Rational& s, Locus_vertex<Dim>& v) const
-  {
-    const auto& w = work_->pieces[i];
-    const Rational weight = evaluate_at(w.forms.weight, s), foot_weight = evaluate_at(w.foot_forms.weight, s);
-    Rational square = 0;
-    Approximate_point<Dim> point;
-    for (std::size_t k = 0; k < size; ++k) {
-      const Rational x = evaluate_at(w.forms.numerator[k], s) / weight;
-      point[k] = representative(work_->frame.out_of(enclosing(x), k));
-      if (foot_weight == 0) continue;
-      const Rational d = x - evaluate_at(w.foot_forms.numerator[k], s) / foot_weight;
-      square += d * d;
-    }
-    v.point = point;
-    v.radius = foot_weight == 0 ? std::numeric_limits<double>::infinity() : midpoint(work_->frame.length(CGAL::sqrt(enclosing(square))));
   }
 
   Foot foot_at(std::size_t i, const Interval& s) const
   {
     Foot foot;
+    foot.input = labels_.curve_input;
     foot.parameters = {work_->pieces[i].range.at(s)};
     for (int end = 0; end < 2; ++end) {
       if (s.inf() != end || s.sup() != end) continue;
@@ -272,6 +205,19 @@ private:
     return foot;
   }
 
+  /// Pieces that are all mapped to infinity.
+  void note_missing_pieces()
+  {
+    for (const std::size_t i : missing_) {
+      Degenerate_piece d;
+      d.kind = "infinity";
+      d.input = labels_.curve_input;
+      d.box = {Parameter_range(chain_.pieces[i]).at(Interval(0, 1))};
+      d.reason = "all points of the piece map to infinity";
+      data_.degenerate.push_back(std::move(d));
+    }
+  }
+
   void note_single_point(std::size_t i)
   {
     // The pieces of one circle have one vertex, with a foot for each.
@@ -279,13 +225,13 @@ private:
     if (!again) {
       Locus_vertex<Dim> v;
       v.kind = Vertex_kind::isolated;
-      place_exactly(i, Rational(1, 2), v);
+      Path_ends<Dim>(*work_).place_exactly(i, Rational(1, 2), v);
       data_.vertices.push_back(std::move(v));
     }
     data_.vertices.back().feet.push_back(foot_at(i, Interval(0, 1)));
     Degenerate_piece d;
     d.kind = "centre";
-    d.input = 0;
+    d.input = labels_.curve_input;
     d.box = {work_->pieces[i].range.at(Interval(0, 1))};
     d.reason = "all points of the piece map to one";
     data_.degenerate.push_back(d);
@@ -320,8 +266,8 @@ private:
       for (const auto& f : p.numerator) out.push_back(f[last ? f.size() - 1 : 0]);
       out.push_back(p.weight[last ? p.weight.size() - 1 : 0]);
     };
-    take(work_->pieces[i].forms, true, a);
-    take(work_->pieces[j].forms, false, b);
+    take(work_->pieces[i].forms.get(), true, a);
+    take(work_->pieces[j].forms.get(), false, b);
     for (std::size_t k = 0; k < a.size(); ++k)
       for (std::size_t l = 0; l < k; ++l)
         if (a[k] * b[l] != a[l] * b[k]) return false;
@@ -351,7 +297,7 @@ private:
         Locus_vertex<Dim> v;
         v.kind = chain_.joint_at(source_[s.leg.piece], end) ? Vertex_kind::corner : Vertex_kind::boundary;
         v.feet.push_back(foot_at(s.leg.piece, Interval(end)));
-        place_exactly(s.leg.piece, Rational(end), v);
+        Path_ends<Dim>(*work_).place_exactly(s.leg.piece, Rational(end), v);
         s.vertex[e] = data_.vertices.size();
         data_.vertices.push_back(std::move(v));
       }
@@ -411,13 +357,13 @@ private:
       target = stretches_[chain.back()].vertex[1];
     }
     data_.arcs.emplace_back(std::make_shared<const Rational_path<Dim>>(work_, std::move(legs), std::move(irregular)), source, target,
-                            std::vector<std::size_t>{0}, std::vector<Feature>{Feature::interior});
+                            labels_.inputs, labels_.features);
   }
 
   /// Where the derived curve stands still inside a stretch.
   void collect_cusps(const Stretch& s, Irregular_points<Dim>& irregular)
   {
-    const Integer_polynomial factor = standstill_factor(work_->pieces[s.leg.piece].forms);
+    const Integer_polynomial factor = standstill_factor(work_->pieces[s.leg.piece].forms.get());
     if (degree(factor) < 1) return;
     for (auto& root : exact_roots(bernstein_form(factor), Rational(0), Rational(1)).roots) {
       refine(root);
@@ -428,13 +374,14 @@ private:
 
   bool reverses_between(std::size_t i, std::size_t j) const
   {
-    const auto &a = work_->pieces[i].forms, &b = work_->pieces[j].forms;
+    const auto &a = work_->pieces[i].forms.get(), &b = work_->pieces[j].forms.get();
     return joint_between(a, chain_.pieces[source_[i]], b, chain_.pieces[source_[j]]).kind == Joint_kind::corner;
   }
 
+  const Locus_labels labels_;
   const Chain chain_;
   std::shared_ptr<Path_work<Dim>> work_;
-  std::vector<std::size_t> source_, first_stretch_, last_stretch_;
+  std::vector<std::size_t> source_, missing_, first_stretch_, last_stretch_; ///< pieces of the chain; those without an image
   std::vector<Stretch> stretches_;
   Locus_data<Dim> data_;
 };

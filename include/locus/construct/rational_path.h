@@ -6,6 +6,7 @@
 #include <locus/construct/extent.h>
 #include <locus/construct/locus.h>
 #include <locus/construct/parameter_range.h>
+#include <locus/function/lazy.h>
 #include <locus/shape/rational_map.h>
 
 namespace locus {
@@ -18,7 +19,9 @@ public:
   static constexpr auto size = static_cast<std::size_t>(Dim);
   using Point = std::array<Interval, size>;
 
-  Map_evaluator(const Polynomial_vector<1, size>& numerator, const Bernstein<Rational, 1>& weight) : weight_(weight)
+  /// Over rationals or over intervals.
+  template <class T>
+  Map_evaluator(const std::array<Bernstein<T, 1>, size>& numerator, const Bernstein<T, 1>& weight) : weight_(weight)
   {
     for (std::size_t k = 0; k < size; ++k) numerator_[k] = Enclosed_function(numerator[k]);
   }
@@ -45,7 +48,7 @@ struct Path_work {
   static constexpr auto size = static_cast<std::size_t>(Dim);
 
   struct Piece_work {
-    Curve_piece<Dim> forms, foot_forms;                 ///< of the derived curve, and of the one with its feet
+    Lazy<Curve_piece<Dim>> forms, foot_forms;           ///< of the derived curve, and of the one with its feet
     std::array<Bernstein<Interval, 1>, size> numerator; ///< enclosed, relative to the inputs' middle
     Bernstein<Interval, 1> weight;
     std::optional<Map_evaluator<Dim>> image, foot;
@@ -64,11 +67,11 @@ struct Path_work {
   {
     const Piece_work& p = pieces[piece];
     Point x = p.image->at(s);
-    if (s.is_point() && !is_narrow(x)) x = exactly(p.forms, Rational(s.inf()));
+    if (s.is_point() && !is_narrow(x)) x = exactly(p.forms.get(), Rational(s.inf()));
     Interval radius(0);
     if (p.foot) {
       Point y = p.foot->at(s);
-      if (s.is_point() && !is_narrow(y)) y = exactly(p.foot_forms, Rational(s.inf()));
+      if (s.is_point() && !is_narrow(y)) y = exactly(p.foot_forms.get(), Rational(s.inf()));
       for (std::size_t k = 0; k < size; ++k) radius += CGAL::square(x[k] - y[k]);
       radius = frame.length(CGAL::sqrt(radius));
     }
@@ -111,8 +114,9 @@ struct Path_leg {
 template <int Dim>
 class Rational_path : public Arc_geometry<Dim> {
 public:
-  Rational_path(std::shared_ptr<const Path_work<Dim>> work, std::vector<Path_leg> legs, Irregular_points<Dim> irregular)
-    : work_(std::move(work)), legs_(std::move(legs)), irregular_(std::move(irregular))
+  /// `end_error`: how far the ends of the legs may be from the arc's own, in the inputs' units.
+  Rational_path(std::shared_ptr<const Path_work<Dim>> work, std::vector<Path_leg> legs, Irregular_points<Dim> irregular, double end_error = 0)
+    : work_(std::move(work)), legs_(std::move(legs)), irregular_(std::move(irregular)), end_error_(end_error)
   {
   }
 
@@ -168,7 +172,7 @@ public:
       double rounding = 0;
       for (const auto& p : draft.points) rounding = std::max(rounding, p.error());
       const double bend = std::isfinite(draft.error) ? work_->frame.length(Interval(draft.error)).sup() : draft.error;
-      return Polyline<Dim>(std::move(draft.points), bend + rounding);
+      return Polyline<Dim>(std::move(draft.points), bend + rounding + end_error_);
     });
   }
 
@@ -274,7 +278,7 @@ private:
   /// The same part, its forms enclosed from exact ones on it.
   Part afresh(std::size_t piece, const Part& part) const
   {
-    const Curve_piece<Dim>& forms = work_->pieces[piece].forms;
+    const Curve_piece<Dim>& forms = work_->pieces[piece].forms.get();
     const Rational lo(part.lo), hi(part.hi);
     const auto on_part = [&](const Bernstein<Rational, 1>& f) {
       return converted<Interval>(restrict_to(f, 0, lo, hi), [](const Rational& c) { return enclosing(c); });
@@ -325,6 +329,7 @@ private:
   std::shared_ptr<const Path_work<Dim>> work_;
   std::vector<Path_leg> legs_;
   Irregular_points<Dim> irregular_;
+  double end_error_ = 0;
 };
 
 } // namespace detail

@@ -94,6 +94,35 @@ inline std::optional<Bernstein<Integer, 2>> divide_by_diagonal_once(const Bernst
   return g;
 }
 
+/// f / (t - r) for an f that t - r divides, over any coefficient type. In the scaled basis g_ij is a sum of coefficients of f along
+/// i + j, from either end of that line: from the end where the smaller ones are, so that an enclosure stays close.
+template <class T>
+Bernstein<T, 2> quotient_by_diagonal(const Bernstein<T, 2>& f)
+{
+  const int n = f.degree(0), m = f.degree(1);
+  const Bernstein<T, 2> c = scaled_by_binomials(f, false);
+  Bernstein<T, 2> g(Degrees<2>{n - 1, m - 1});
+  const auto size_of = [&](int i, int j) { return binomial<double>(n, i) * binomial<double>(m, j); };
+  for (int line = 1; line < n + m; ++line) { // f's i + j; g's is one less
+    const int first = std::max(0, line - m), last = std::min(n, line);
+    double all = 0, below = 0;
+    for (int i = first; i <= last; ++i) all += size_of(i, line - i);
+    int i = first;
+    T sum(0);
+    for (; i < last && 2 * (below + size_of(i, line - i)) <= all; ++i) {
+      below += size_of(i, line - i);
+      sum -= c.at({i, line - i});
+      g.at({i, line - 1 - i}) = sum;
+    }
+    sum = T(0);
+    for (int k = last; k > i; --k) {
+      sum += c.at({k, line - k});
+      g.at({k - 1, line - k}) = sum;
+    }
+  }
+  return scaled_by_binomials(g, true);
+}
+
 /// Divides a line's polynomial out of a nonzero polynomial as often as it goes, but at most `limit` times; returns how often.
 inline int divide_by_diagonal(Scaled_form& f, const Diagonal& line, int limit = std::numeric_limits<int>::max())
 {

@@ -167,9 +167,10 @@ inline void refuse_trimmed(const Job& job)
 
 inline void require_supported_in_plane(const Job& job)
 {
-  for (const Job_input& input : job.inputs)
-    if (input.kind == Job_input::Kind::point) refuse(input.place, "points as inputs in the plane");
-  refuse_trimmed(job);
+  const auto is_point = [](const Job_input& input) { return input.kind == Job_input::Kind::point; };
+  const auto points = std::count_if(job.inputs.begin(), job.inputs.end(), is_point);
+  if (points == 2) refuse(job.inputs[1].place, "bisectors of two points in the plane");
+  if (points == 0) refuse_trimmed(job);
 }
 
 /// In space this version has the bisectors that are rational: of a point with anything, and of two curves.
@@ -191,8 +192,9 @@ inline void require_supported_in_space(const Job& job)
 } // namespace detail
 
 /// Throws Unsupported_feature, naming where and what, if the job asks for something that this version does not have.
-/// What it has: bisectors in the plane of one or two curves, in space of a point with anything or of two curves, all of
-/// them untrimmed but for two points, where that is the same; curvature and evolute of a curve, planar or not.
+/// What it has: in the plane bisectors of a point and a curve, trimmed or not, and untrimmed ones of one or two curves; in space
+/// untrimmed ones of a point with anything or of two curves, and of two points, where that is the same; curvature and evolute of
+/// a curve, planar or not.
 inline void require_supported(const Job& job)
 {
   const bool bisector = job.compute == "bisector";

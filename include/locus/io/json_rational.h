@@ -37,9 +37,34 @@ void write_rows(Json_writer& json, const Degrees<K>& degrees, Write write)
   if (K > 1) json.close(']');
 }
 
+/// The intervals of a piece that belong to the locus: rational ends as fractions, others as the doubles next to them, with all
+/// ends' enclosures.
+inline void write_kept(Json_writer& json, const std::vector<Kept_interval>& kept, std::size_t piece)
+{
+  json.key("intervals").open('[');
+  const auto each = [&](auto write) {
+    for (const Kept_interval& k : kept)
+      if (k.piece == piece) write(k);
+  };
+  each([&](const Kept_interval& k) {
+    json.open('[');
+    for (std::size_t e = 0; e < 2; ++e) {
+      const Range& r = k.ends[e];
+      if (std::isinf(r.lo) && r.lo == r.hi) json.value(r.lo < 0 ? "-inf" : "inf");
+      else if (k.exact[e]) json.value(k.exact[e]->get_str());
+      else json.value(r.lo + 0.5 * (r.hi - r.lo));
+    }
+    json.close(']');
+  });
+  json.close(']').key("enclosures").open('[');
+  each([&](const Kept_interval& k) { json.open('[').value(k.ends[0]).value(k.ends[1]).close(']'); });
+  json.close(']');
+}
+
 /// A piece by control points and weights. Where a weight is 0 the control point is at infinity, and its numerators are given.
+/// `kept`, if given, has what survives trimming, for all pieces.
 template <int Dim, int K>
-void write_map_piece(Json_writer& json, const Rational_map_piece<Dim, K>& piece)
+void write_map_piece(Json_writer& json, const Rational_map_piece<Dim, K>& piece, const std::vector<Kept_interval>* kept = nullptr, std::size_t index = 0)
 {
   json.open('{').key("domain").open('[');
   for (const Piece& range : piece.range) write_range(json, range);
@@ -52,9 +77,22 @@ void write_map_piece(Json_writer& json, const Rational_map_piece<Dim, K>& piece)
   });
   json.key("weights");
   write_rows<K>(json, piece.degrees(), [&](std::size_t i) { json.value(piece.weight[i].get_str()); });
-  json.key("intervals").open('[').open('[');
-  for (const Piece& range : piece.range) write_range(json, range);
-  json.close(']').close(']').close('}');
+  if (kept) {
+    write_kept(json, *kept, index);
+  } else {
+    json.key("intervals").open('[').open('[');
+    for (const Piece& range : piece.range) write_range(json, range);
+    json.close(']').close(']');
+  }
+  json.close('}');
+}
+
+inline void write_outline(Json_writer& json, const Cell_outline& outline)
+{
+  json.line(2).key("cell").open('{').key("input").value(outline.input).key("bounded").value(outline.bounded).key("arcs").list(outline.arcs);
+  json.key("reversed").open('[');
+  for (const char r : outline.reversed) json.value(r != 0);
+  json.close(']').close('}');
 }
 
 inline void write_sheet(Json_writer& json, const Sheet& sheet)
@@ -75,8 +113,11 @@ template <int Dim>
 void write_surface(Json_writer& json, const Locus<Dim>& locus)
 {
   if (Dim == 3) write_lines(json, "sheets", locus.sheets(), write_sheet);
+  if (locus.outline()) write_outline(json, *locus.outline());
+  const auto* const kept = locus.kept_intervals() ? &*locus.kept_intervals() : nullptr;
+  std::size_t index = 0;
   if (locus.rational_curve())
-    write_lines(json, "rational", locus.rational_curve()->pieces(), [](Json_writer& j, const auto& piece) { write_map_piece(j, piece); });
+    write_lines(json, "rational", locus.rational_curve()->pieces(), [&](Json_writer& j, const auto& piece) { write_map_piece(j, piece, kept, index++); });
   else if (locus.rational_surface())
     write_lines(json, "rational", locus.rational_surface()->pieces(), [](Json_writer& j, const auto& piece) { write_map_piece(j, piece); });
 }

@@ -257,8 +257,9 @@ private:
 /// have one colour each. Given the input curves, they and lines to the feet are drawn too. Of an evolute there is the plane
 /// only; points of the curve's curvature may be marked.
 inline void write_svg(std::ostream& out, const Locus<2>& locus, const std::vector<Curve_2>& inputs = {},
-                      const std::vector<Curvature_point<2>>& marks = {})
+                      const std::vector<Curvature_point<2>>& marks = {}, const std::vector<Exact_point<2>>& points = {})
 {
+  (void)points;
   detail::Bisector_picture(out, locus, inputs, marks).write();
 }
 

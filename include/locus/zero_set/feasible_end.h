@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_ZERO_SET_FEASIBLE_END_H
+#define LOCUS_ZERO_SET_FEASIBLE_END_H
+
+#include <locus/zero_set/feasible_events.h>
+#include <locus/zero_set/requirement_signs.h>
+
+namespace locus {
+
+/// An end of an interval of feasible u: the only boundary point in [lo, hi]; exactly lo where lo == hi. Where it is no end of
+/// the unit interval, `open` are the requirements that can fail beyond it.
+struct Feasible_end {
+  double lo = 0, hi = 0;
+  std::vector<Open_requirement> open;
+  std::shared_ptr<const Algebraic_end> algebraic; ///< where it was isolated as a polynomial's root
+
+  bool is_exact() const { return lo == hi; }
+};
+
+namespace detail {
+
+/// Narrows the ends of feasible intervals: a place is guessed by Newton's method in doubles, and signs beside it prove it.
+class Feasible_end_refiner {
+public:
+  Feasible_end_refiner(const std::vector<Requirement>& requirements, Filter_counts& counts) : requirements_(requirements), signs_(requirements, counts) {}
+
+  /// `side` 0 for the low end of an interval (feasible above it), 1 for the high one. Doubles alone narrow it to what they can
+  /// tell; exact signs go on where that is wider than `exact_above`.
+  void narrow(Feasible_end& end, int side, double width, double exact_above = 0x1p-36)
+  {
+    if (end.is_exact() || end.hi - end.lo <= width) return;
+    if (end.algebraic) return narrow_algebraic(end, width);
+    if (const auto guess = guessed(end, side)) close_in(end, side, *guess, width);
+    while (end.hi - end.lo > std::max(width, exact_above)) {
+      const double middle = 0.5 * (end.lo + end.hi);
+      if (!(middle > end.lo && middle < end.hi)) return;
+      move(end, side, middle, signs_.at(end.open, middle));
+    }
+  }
+
+  /// Writes an end as a polynomial's root, so that equality can be asked. False where elimination cannot tell.
+  bool make_algebraic(Feasible_end& end, int side)
+  {
+    if (end.algebraic || end.is_exact()) return true;
+    Event_polynomials events;
+    for (const Open_requirement& r : end.open) events.add(requirements_[r.requirement]);
+    const auto boundary = events.on(end.lo, end.hi);
+    if (!boundary) return false;
+    for (std::size_t k = 1; k + 1 < boundary->size(); ++k) {
+      const auto holds_beside = [&](std::size_t i) { // between events i and i + 1
+        const Rational middle = ((*boundary)[i].hi + (*boundary)[i + 1].lo) / 2;
+        return std::all_of(end.open.begin(), end.open.end(), [&](const Open_requirement& r) { return signs_.exact_at(r, middle) != Sign::negative; });
+      };
+      if (holds_beside(k - 1) != (side == 1) || holds_beside(k) != (side == 0)) continue;
+      end.algebraic = std::make_shared<const Algebraic_end>((*boundary)[k]);
+      return true;
+    }
+    return false;
+  }
+
+private:
+  /// Moves the end's bound on the side that `u` is found to be on.
+  static void move(Feasible_end& end, int side, double u, Sign least)
+  {
+    if (least != Sign::unknown) ((least != Sign::negative) == (side == 0) ? end.hi : end.lo) = u;
+  }
+
+  void close_in(Feasible_end& end, int side, double guess, double width)
+  {
+    double delta = std::max(0.4 * width, 4 * operation_error * std::abs(guess));
+    for (int i = 0; i < 14; ++i, delta *= 4) {
+      for (const double u : {guess - delta, guess + delta})
+        if (u > end.lo && u < end.hi) move(end, side, u, signs_.filtered_at(end.open, u));
+      if (end.hi - end.lo <= 2 * delta * (1 + 4 * operation_error)) return;
+    }
+  }
+
+  void narrow_algebraic(Feasible_end& end, double width) const
+  {
+    Algebraic_end a = *end.algebraic;
+    const Rational length = a.hi - a.lo;
+    if (length > 0) {
+      const Bernstein<Scaled_integer, 1> f = restrict_to(bernstein_form(*a.polynomial), 0, a.lo, a.hi);
+      Isolated_root<Rational> root{Rational(0), Rational(1), 1, nullptr};
+      const Rational wanted = Rational(width) / (4 * length);
+      while (!root.is_exact() && Rational(root.hi - root.lo) > wanted)
+        if (!bisect_exactly(f, Rational(0), Rational(1), root)) break;
+      a = {Rational(a.lo + root.lo * length), Rational(a.lo + root.hi * length), a.polynomial};
+      end.algebraic = std::make_shared<const Algebraic_end>(a);
+    }
+    const Interval x = hull(enclosing(a.lo), enclosing(a.hi));
+    end.lo = x.inf();
+    end.hi = x.sup();
+  }
+
+  // -------------------------------------------------------------------------------------------------- Newton's method
+
+  struct Value {
+    double g = 0, gu = 0, gv = 0, guv = 0, gvv = 0;
+  };
+
+  /// A polynomial's value, first and second derivative, by de Casteljau's algorithm.
+  static std::array<double, 3> jet(const double* c, int degree, double x, std::vector<double>& b)
+  {
+    b.assign(c, c + degree + 1);
+    int n = degree;
+    const auto level = [&] {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) b[i] = (1 - x) * b[i] + x * b[i + 1];
+      --n;
+    };
+    while (n > 2) level();
+    const double second = n == 2 ? degree * (degree - 1.0) * (b[2] - 2 * b[1] + b[0]) : 0;
+    if (n == 2) level();
+    const double first = n == 1 ? degree * (b[1] - b[0]) : 0;
+    if (n == 1) level();
+    return {b[0], first, second};
+  }
+
+  Value value(const Requirement& r, double u, double v)
+  {
+    const Enclosed_vector &a = r.a->node(0).f, &b = r.b->node(0).f;
+    Value sum;
+    for (std::size_t k = 0; k < a.rank(); ++k) {
+      const auto x = jet(a.component(k), a.degree(), u, scratch_), y = jet(b.component(k), b.degree(), v, scratch_);
+      sum.g += x[0] * y[0];
+      sum.gu += x[1] * y[0];
+      sum.gv += x[0] * y[1];
+      sum.guv += x[1] * y[1];
+      sum.gvv += x[0] * y[2];
+    }
+    return sum;
+  }
+
+  /// Where g(u, v) = 0 = ∂g/∂v, or g(u, v) = 0 at an end of v's interval, from the worst place at the infeasible end on.
+  std::optional<double> guessed(const Feasible_end& end, int side)
+  {
+    constexpr int places = 8;
+    double worst = 0, v = 0;
+    const double bad = side == 0 ? end.lo : end.hi;
+    const Requirement* binding = nullptr;
+    for (const Open_requirement& o : end.open) {
+      const Requirement& r = requirements_[o.requirement];
+      const auto& node = r.b->node(o.node);
+      for (int k = 0; k <= places; ++k) {
+        const double at = node.lo + (node.hi - node.lo) * k / places;
+        const double g = value(r, bad, at).g;
+        if (!binding || g < worst) {
+          binding = &r;
+          worst = g;
+          v = at;
+        }
+      }
+    }
+    if (!binding) return std::nullopt;
+    double u = 0.5 * (end.lo + end.hi);
+    for (int step = 0; step < 30; ++step) {
+      const Value x = value(*binding, u, v);
+      const bool at_end = (v <= 0 && x.gv > 0) || (v >= 1 && x.gv < 0);
+      double du = 0, dv = 0;
+      if (at_end || x.gvv == 0) {
+        du = -x.g / x.gu;
+      } else {
+        const double det = x.gu * x.gvv - x.gv * x.guv;
+        du = (-x.g * x.gvv + x.gv * x.gv) / det;
+        dv = (x.g * x.guv - x.gu * x.gv) / det;
+      }
+      if (!std::isfinite(du) || !std::isfinite(dv)) return std::nullopt;
+      u = std::min(end.hi, std::max(end.lo, u + du));
+      v = std::min(1.0, std::max(0.0, v + dv));
+      if (std::abs(du) <= operation_error && std::abs(dv) <= 0x1p-40) break;
+    }
+    return u;
+  }
+
+  const std::vector<Requirement>& requirements_;
+  Requirement_signs signs_;
+  std::vector<double> scratch_;
+};
+
+} // namespace detail
+
+} // namespace locus
+
+#endif
