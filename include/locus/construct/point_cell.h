@@ -77,7 +77,10 @@ private:
   /// that fails beyond it. Where others may fail there as well, exactly.
   static bool is_infinite(const Cell_feature& feature, Feasible_end& end, int side, detail::Feasible_end_refiner& refiner)
   {
-    if (end.is_exact()) return evaluate_at(feature.tangent()[2], Rational(end.lo)) == 0;
+    if (end.is_exact()) {
+      const Interval weight = feature.tangent_tree->node(0).f.at(end.lo).interval_form(2)[0];
+      return contains_zero(weight) && evaluate_at(feature.tangent()[2], Rational(end.lo)) == 0;
+    }
     const auto is_of_weight = [](const Open_requirement& r) { return r.requirement == 0; };
     if (!feature.has_weight_requirement || std::none_of(end.open.begin(), end.open.end(), is_of_weight)) return false;
     if (std::all_of(end.open.begin(), end.open.end(), is_of_weight)) return true;

@@ -137,22 +137,29 @@ struct Enclosed_piece {
   Bernstein<Interval, 1> weight;
 };
 
-/// ℓ × ℓ' at u, from values of ρ, W and their derivatives there. Upward rounding needed.
-inline Enclosed_vector fresh_tangent(const Enclosed_piece& piece, double u, int sign)
+inline Enclosed_piece enclosed_piece(const Seen_piece& piece) { return {{enclosed(piece.offset[0]), enclosed(piece.offset[1])}, enclosed(piece.weight)}; }
+
+/// ℓ and ℓ' at a place, from values of ρ, W and their derivatives there. Upward rounding needed.
+inline std::array<std::array<Interval, 3>, 2> fresh_lift(const Enclosed_piece& piece, double u)
 {
   const auto at = [&](const Bernstein<Interval, 1>& f) {
     return std::array<Interval, 2>{evaluate_at(f, Interval(u)), evaluate_at(derivative(f), Interval(u))};
   };
   const auto x = at(piece.offset[0]), y = at(piece.offset[1]), w = at(piece.weight);
   const Interval two(2);
-  const std::array<Interval, 3> l{two * w[0] * x[0], two * w[0] * y[0], CGAL::square(x[0]) + CGAL::square(y[0])};
-  const std::array<Interval, 3> d{two * (w[1] * x[0] + w[0] * x[1]), two * (w[1] * y[0] + w[0] * y[1]), two * (x[0] * x[1] + y[0] * y[1])};
+  return {{{two * w[0] * x[0], two * w[0] * y[0], CGAL::square(x[0]) + CGAL::square(y[0])},
+           {two * (w[1] * x[0] + w[0] * x[1]), two * (w[1] * y[0] + w[0] * y[1]), two * (x[0] * x[1] + y[0] * y[1])}}};
+}
+
+inline std::vector<Interval> fresh_tangent(const Enclosed_piece& piece, double u, int sign)
+{
+  const auto [l, d] = fresh_lift(piece, u);
   std::vector<Interval> t;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
     t.push_back(Interval(sign) * (l[i] * d[j] - l[j] * d[i]));
   }
-  return Enclosed_vector(3, 0, t);
+  return t;
 }
 
 /// Sets up what is required of the features of a curve. Interval forms first; exact ones where they are needed.
@@ -170,7 +177,7 @@ public:
   {
     const auto piece = std::make_shared<const Seen_piece>(result_.pieces[i]);
     Piece_forms<Interval> forms({enclosed(piece->offset[0]), enclosed(piece->offset[1])}, enclosed(piece->weight));
-    const auto seen = std::make_shared<const Enclosed_piece>(Enclosed_piece{{enclosed(piece->offset[0]), enclosed(piece->offset[1])}, enclosed(piece->weight)});
+    const auto seen = std::make_shared<const Enclosed_piece>(enclosed_piece(*piece));
     forms.make_tangent();
     forms.make_weight_sign();
     const std::array<int, 2> zeros = end_zeros(forms.tangent, [piece] { return exact_tangent(*piece, {}); });
@@ -302,6 +309,11 @@ private:
     piece.lift_zeros = end_zeros(forms.lift, [&] { return exact_lift(exact); });
     const std::array<int, 2> zeros = piece.lift_zeros;
     piece.lift = tree(without_end_zeros(forms.lift, zeros), 1, [exact, zeros] { return without_end_zeros(exact_lift(exact), zeros); });
+    if (zeros == std::array<int, 2>{})
+      piece.lift->set_fresh([seen = enclosed_piece(exact)](double v) {
+        const auto l = fresh_lift(seen, v)[0];
+        return std::vector<Interval>(l.begin(), l.end());
+      });
   }
 
   /// The Bernstein basis of so many functions, one tree for each degree.

@@ -15,6 +15,9 @@ struct Point_bisector_options {
   Solve_control control;
   bool point_first = false;    ///< the point is input 0 of the result and the curve input 1; else the other way round
   bool keep_rational = false;  ///< keep the exact untrimmed curve in the result
+  /// Reading (70) of Farouki & Johnstone 1994 instead of (71): the nearest point of the curve's continuation over the whole line
+  /// must lie on the curve itself. For one Bézier piece or a curve in monomial form.
+  bool beyond_ends = false;
   double least_cut_radius = 0; ///< arcs to infinity are drawn at least so far from the inputs' middle
 };
 
@@ -149,16 +152,35 @@ private:
       const std::size_t a = boundary[k], b = boundary[k + 1], last = boundary.last_end(a), first = boundary.first_end(b);
       const bool goes_on = boundary.goes_on(k) && cell_.undecided().empty();
       bounded_ = bounded_ && goes_on;
-      if (goes_on && is_one_arc(stretches[a], last, stretches[b], first)) {
+      if (!is_own(a) && !is_own(b)) continue;
+      if (goes_on && is_own(a) != is_own(b)) {
+        const std::size_t v = add_vertex(a, last, b, first);
+        (is_own(a) ? ends_[a].vertex[last] : ends_[b].vertex[first]) = v;
+        const Feasible_end& end = is_own(a) ? stretches[a].ends[last] : stretches[b].ends[first];
+        if (end.is_exact() && (end.lo == 0 || end.lo == 1)) make_boundary(v);
+      } else if (goes_on && is_one_arc(stretches[a], last, stretches[b], first)) {
         ends_[a].next = b;
         ends_[b].has_previous = true;
       } else if (goes_on) {
         ends_[a].vertex[last] = ends_[b].vertex[first] = add_vertex(a, last, b, first);
       } else {
-        ends_[a].vertex[last] = add_loose_vertex(a, last);
-        ends_[b].vertex[first] = add_loose_vertex(b, first);
+        if (is_own(a)) ends_[a].vertex[last] = add_loose_vertex(a, last);
+        if (is_own(b)) ends_[b].vertex[first] = add_loose_vertex(b, first);
       }
     }
+  }
+
+  bool is_own(std::size_t stretch) const { return seen_.is_own(feature_of(cell_.stretches()[stretch]).piece); }
+
+  /// The curve's own end: beyond it another foot of the same place would only repeat it.
+  void make_boundary(std::size_t vertex)
+  {
+    Locus_vertex<2>& v = data_.vertices[vertex];
+    v.kind = Vertex_kind::boundary;
+    std::vector<Foot> feet;
+    for (Foot& f : v.feet)
+      if (f.feature != Feature::interior) feet.push_back(std::move(f));
+    v.feet = std::move(feet);
   }
 
   /// Where an arc passes a joint at which the curve's tangent does not turn.
@@ -247,7 +269,7 @@ private:
     for (const bool closed : {false, true})
       for (std::size_t k = 0; k < boundary.size(); ++k) {
         const std::size_t first = boundary[k];
-        if (done[first] || (!closed && ends_[first].has_previous)) continue;
+        if (done[first] || !is_own(first) || (!closed && ends_[first].has_previous)) continue;
         std::vector<std::size_t> chain;
         for (std::size_t s = first; s != none && !done[s]; s = ends_[s].next) {
           done[s] = 1;
@@ -259,7 +281,7 @@ private:
         outline.reversed.push_back(reversed);
         make_arc(chain, closed);
       }
-    data_.outline = std::move(outline);
+    if (!seen_.is_beyond_ends()) data_.outline = std::move(outline);
   }
 
   /// Stretches in the order of the parameter.
@@ -315,7 +337,7 @@ public:
     std::vector<Kept_interval> kept;
     for (const Cell_stretch& s : cell_.stretches()) {
       const Cell_feature& feature = feature_of(s);
-      if (feature.kind != Cell_feature::Kind::arc) continue;
+      if (feature.kind != Cell_feature::Kind::arc || !seen_.is_own(feature.piece)) continue;
       Kept_interval interval;
       interval.piece = seen_.piece_of_map(feature.piece, map);
       for (std::size_t e = 0; e < 2; ++e) {
@@ -380,7 +402,7 @@ inline Locus<2> bisector(const Coordinates_2& point, const Curve_2& curve, const
 {
   return with_upward_rounding([&] {
     const auto start = std::chrono::steady_clock::now();
-    const detail::Seen_curve seen(curve, point.exact());
+    const detail::Seen_curve seen(curve, point.exact(), options.beyond_ends);
     const Point_cell cell(seen.features(), options.control);
     detail::Point_bisector_maker maker(seen, cell, options);
     Locus_data<2> data = maker.make();

@@ -7,7 +7,8 @@
 #include <locus/construct/parameter_range.h>
 #include <locus/construct/point_cell_features.h>
 #include <locus/function/rational_root.h>
-#include <locus/shape/constructors_2.h>
+#include <locus/shape/parent_curve.h>
+#include <locus/shape/rational_map.h>
 
 namespace locus {
 namespace detail {
@@ -16,7 +17,8 @@ namespace detail {
 /// circles through the point can touch.
 class Seen_curve {
 public:
-  Seen_curve(const Curve_2& curve, const Exact_point<2>& point) : chain_(curve.chain())
+  /// With `beyond_ends` the curve is continued over the whole line (reading (70) of Farouki & Johnstone 1994).
+  Seen_curve(const Curve_2& curve, const Exact_point<2>& point, bool beyond_ends = false) : chain_(curve.chain()), beyond_ends_(beyond_ends)
   {
     std::vector<Exact_point<2>> points{point};
     collect_control_points(curve, points);
@@ -24,7 +26,19 @@ public:
     require_drawable(frame_);
     extent_ = extent_in<2>(frame_, points);
     for (std::size_t k = 0; k < 2; ++k) point_[k] = frame_.into(point[k], k);
-    for (std::size_t i = 0; i < curve.pieces().size(); ++i) add_piece(i, with_unit_forms(in_frame(curve.pieces()[i], frame_)));
+    const auto framed = [&](const Curve_piece<2>& piece) { return with_unit_forms(in_frame(piece, frame_)); };
+    if (beyond_ends) {
+      chain_ = Chain{{}, {}};
+      for (Parent_piece& piece : parent_pieces(curve)) {
+        chain_.pieces.push_back(piece.range);
+        if (chain_.pieces.size() > 1) chain_.joints.push_back({Joint_kind::smooth, Joint::any_order, false});
+        is_own_.push_back(piece.is_own);
+        add_piece(chain_.pieces.size() - 1, framed(piece.forms));
+      }
+      return;
+    }
+    is_own_.assign(curve.pieces().size(), true);
+    for (std::size_t i = 0; i < curve.pieces().size(); ++i) add_piece(i, framed(curve.pieces()[i]));
   }
 
   std::size_t size() const { return pieces_.size(); }
@@ -35,6 +49,10 @@ public:
   bool is_on_curve() const { return !hits_.empty(); }
   /// Whether the point lies on the curve where this has a tangent, not at an end nor at a corner.
   bool is_on_smooth_place() const { return smooth_hit_.has_value(); }
+
+  /// False for what continues the curve beyond its ends.
+  bool is_own(std::size_t piece) const { return is_own_[pieces_[piece].source]; }
+  bool is_beyond_ends() const { return beyond_ends_; }
 
   const Parameter_range& range_of(std::size_t piece) const { return ranges_[piece]; }
 
@@ -60,8 +78,13 @@ public:
 
   Feature feature_at(std::size_t piece, int end) const
   {
+    if (is_cut(piece, end)) return Feature::interior;
+    if (beyond_ends_) {
+      const bool ends_here = is_own(piece) && (end == 0 ? piece == 0 || !is_own(piece - 1) : piece + 1 == size() || !is_own(piece + 1));
+      return !ends_here ? Feature::interior : end == 0 ? Feature::start : Feature::end;
+    }
     const Joint* joint = joint_at(piece, end);
-    if (is_cut(piece, end) || (joint && is_smooth(*joint))) return Feature::interior;
+    if (joint && is_smooth(*joint)) return Feature::interior;
     if (joint) return Feature::corner;
     return end == 0 ? Feature::start : Feature::end;
   }
@@ -175,7 +198,7 @@ private:
   /// Ends, and of a corner the end of the piece before it; both where the point itself is there.
   bool is_vertex(std::size_t piece, int end) const
   {
-    if (is_cut(piece, end)) return false;
+    if (is_cut(piece, end) || beyond_ends_) return false;
     const Joint* joint = joint_at(piece, end);
     if (joint && is_smooth(*joint)) return false;
     const auto& w = pieces_[piece].weight;
@@ -201,6 +224,8 @@ private:
   }
 
   Chain chain_;
+  bool beyond_ends_ = false;
+  std::vector<char> is_own_; ///< by pieces of the chain
   Frame<2> frame_;
   Extent<2> extent_;
   Exact_point<2> point_;

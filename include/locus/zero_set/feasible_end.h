@@ -99,29 +99,12 @@ private:
     double g = 0, gu = 0, gv = 0, guv = 0, gvv = 0;
   };
 
-  /// A polynomial's value, first and second derivative, by de Casteljau's algorithm.
-  static std::array<double, 3> jet(const double* c, int degree, double x, std::vector<double>& b)
-  {
-    b.assign(c, c + degree + 1);
-    int n = degree;
-    const auto level = [&] {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) b[i] = (1 - x) * b[i] + x * b[i + 1];
-      --n;
-    };
-    while (n > 2) level();
-    const double second = n == 2 ? degree * (degree - 1.0) * (b[2] - 2 * b[1] + b[0]) : 0;
-    if (n == 2) level();
-    const double first = n == 1 ? degree * (b[1] - b[0]) : 0;
-    if (n == 1) level();
-    return {b[0], first, second};
-  }
-
   Value value(const Requirement& r, double u, double v)
   {
     const Enclosed_vector &a = r.a->node(0).f, &b = r.b->node(0).f;
     Value sum;
     for (std::size_t k = 0; k < a.rank(); ++k) {
-      const auto x = jet(a.component(k), a.degree(), u, scratch_), y = jet(b.component(k), b.degree(), v, scratch_);
+      const auto x = value_and_slopes(a.component(k), a.degree(), u, scratch_), y = value_and_slopes(b.component(k), b.degree(), v, scratch_);
       sum.g += x[0] * y[0];
       sum.gu += x[1] * y[0];
       sum.gv += x[0] * y[1];

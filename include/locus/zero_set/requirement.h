@@ -42,20 +42,10 @@ public:
   const Lazy<Vector_form>& lazy_exact() const { return exact_; }
   const Node& node(std::size_t i) const { return nodes_[i]; }
 
-  /// Values at u enclosed afresh, without what subdivision from the whole interval would inherit; nothing where there is no way.
-  std::optional<Enclosed_vector> fresh_at(double u) const { return make_fresh_ ? std::optional(make_fresh_(u)) : std::nullopt; }
-  void set_fresh(std::function<Enclosed_vector(double)> make_fresh) { make_fresh_ = std::move(make_fresh); }
-
-  /// Index of the node of a dyadic interval.
-  std::size_t find(double lo, double hi)
-  {
-    std::size_t i = 0;
-    while (nodes_[i].lo < lo || nodes_[i].hi > hi) {
-      const std::size_t low = halve(i);
-      i = lo < nodes_[low].hi ? low : low + 1;
-    }
-    return i;
-  }
+  /// Values at a place enclosed afresh, without what subdivision from the whole interval would inherit; nothing where there is
+  /// no way.
+  std::optional<std::vector<Interval>> fresh_at(double x) const { return make_fresh_ ? std::optional(make_fresh_(x)) : std::nullopt; }
+  void set_fresh(std::function<std::vector<Interval>(double)> make_fresh) { make_fresh_ = std::move(make_fresh); }
 
   /// Index of the lower half; the upper one follows.
   std::size_t halve(std::size_t i)
@@ -87,7 +77,7 @@ public:
 
 private:
   Lazy<Vector_form> exact_;
-  std::function<Enclosed_vector(double)> make_fresh_;
+  std::function<std::vector<Interval>(double)> make_fresh_;
   std::deque<Node> nodes_;
 };
 
@@ -102,7 +92,7 @@ struct Requirement {
   std::shared_ptr<Vector_tree> a, b;
   /// What is known beforehand of corners of the unit square, index 2·(u end) + (v end).
   std::array<std::optional<Corner_zeros>, 4> corners{};
-  /// Another product that has the same sign where u lies outside of v's interval, if there is one that is enclosed more closely.
+  /// Another product, (u - v)² times this one, if there is one that is enclosed more closely.
   std::shared_ptr<Vector_tree> apart_a{}, apart_b{};
 };
 
