@@ -171,12 +171,12 @@ locus::Locus<2> point_curve_bisector(const locus::Job& job, const locus::Solve_c
   const std::vector<locus::Rational>& p = *job.inputs[point_first ? 0 : 1].point;
   const locus::Coordinates_2 point{p[0], p[1]};
   const locus::Curve_2& curve = *job.inputs[point_first ? 1 : 0].curve;
-  if (!job.options.trimmed) return locus::untrimmed_bisector(point, curve, point_first);
+  if (!job.options.trimmed) return point_first ? locus::untrimmed_bisector(point, curve) : locus::untrimmed_bisector(curve, point);
   locus::Point_bisector_options options;
   options.control = control;
-  options.point_first = point_first;
+  options.beyond_ends = job.options.beyond_ends;
   options.keep_rational = true;
-  return locus::bisector(point, curve, options);
+  return point_first ? locus::bisector(point, curve, options) : locus::bisector(curve, point, options);
 }
 
 int planar_point_bisector(const Settings& settings, const locus::Job& job, double tolerance)

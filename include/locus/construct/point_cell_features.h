@@ -21,7 +21,15 @@ struct Cell_feature {
   bool counterclockwise = true;
   bool has_weight_requirement = false; ///< the first requirement is that of the weight's sign
   std::vector<Requirement> requirements;
+  std::vector<std::size_t> piece_of; ///< the piece that a requirement is about; none of the weight's
 
+  static constexpr std::size_t no_piece = std::numeric_limits<std::size_t>::max();
+
+  void require(Requirement requirement, std::size_t about)
+  {
+    requirements.push_back(std::move(requirement));
+    piece_of.push_back(about);
+  }
   const Vector_form& tangent() const { return tangent_tree->exact(); }
 };
 
@@ -206,11 +214,11 @@ public:
       const auto self = tree(forms.self, sign, [piece, zeros, sign] { return times(exact_self(*piece, zeros), sign); });
       if (!all[sign > 0 ? 0 : 1]) {
         f.has_weight_requirement = true;
-        f.requirements.push_back({tree(weight_sign, sign, [piece, weight_zeros, sign] { return exact_weight_sign(*piece, weight_zeros, sign); }), basis_tree(1)});
+        f.require({tree(weight_sign, sign, [piece, weight_zeros, sign] { return exact_weight_sign(*piece, weight_zeros, sign); }), basis_tree(1)}, Cell_feature::no_piece);
       }
-      f.requirements.push_back({self, basis, {}, f.tangent_tree, result_.pieces[i].lift});
+      f.require({self, basis, {}, f.tangent_tree, result_.pieces[i].lift}, i);
       for (std::size_t j = 0; j < result_.pieces.size(); ++j)
-        if (j != i) f.requirements.push_back({f.tangent_tree, result_.pieces[j].lift});
+        if (j != i) f.require({f.tangent_tree, result_.pieces[j].lift}, j);
       result_.features.push_back(std::move(f));
     }
   }
@@ -346,7 +354,7 @@ private:
     }
     tangent[2][1] = half;
     f.tangent_tree = std::make_shared<Vector_tree>(std::move(tangent));
-    for (const Seen_piece& piece : result_.pieces) f.requirements.push_back({f.tangent_tree, without_common_zeros(f.tangent(), piece)});
+    for (std::size_t j = 0; j < result_.pieces.size(); ++j) f.require({f.tangent_tree, without_common_zeros(f.tangent(), result_.pieces[j])}, j);
     result_.features.push_back(std::move(f));
   }
 

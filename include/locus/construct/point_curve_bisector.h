@@ -3,6 +3,7 @@
 #define LOCUS_CONSTRUCT_POINT_CURVE_BISECTOR_H
 
 #include <locus/construct/cell_boundary.h>
+#include <locus/construct/cell_contacts.h>
 #include <locus/construct/path_ends.h>
 #include <locus/construct/point_curve_map.h>
 #include <locus/construct/seen_curve.h>
@@ -13,7 +14,6 @@ namespace locus {
 
 struct Point_bisector_options {
   Solve_control control;
-  bool point_first = false;    ///< the point is input 0 of the result and the curve input 1; else the other way round
   bool keep_rational = false;  ///< keep the exact untrimmed curve in the result
   /// Reading (70) of Farouki & Johnstone 1994 instead of (71): the nearest point of the curve's continuation over the whole line
   /// must lie on the curve itself. For one Bézier piece or a curve in monomial form.
@@ -26,8 +26,8 @@ namespace detail {
 /// Makes a locus of a cell's boundary.
 class Point_bisector_maker {
 public:
-  Point_bisector_maker(const Seen_curve& seen, const Point_cell& cell, const Point_bisector_options& options)
-    : seen_(seen), cell_(cell), curve_input_(options.point_first ? 1 : 0), work_(std::make_shared<Path_work<2>>())
+  Point_bisector_maker(const Seen_curve& seen, const Point_cell& cell, bool point_first, const Point_bisector_options& options)
+    : seen_(seen), cell_(cell), curve_input_(point_first ? 1 : 0), work_(std::make_shared<Path_work<2>>())
   {
     work_->frame = seen.frame();
     work_->scale = seen.extent().scale;
@@ -130,11 +130,6 @@ private:
     return foot;
   }
 
-  static bool is_same(const Foot& a, const Foot& b)
-  {
-    return a.feature == b.feature && a.parameters[0].lo == b.parameters[0].lo && a.parameters[0].hi == b.parameters[0].hi;
-  }
-
   // -------------------------------------------------------------------------------------------------------- vertices
 
   struct Stretch_ends {
@@ -198,12 +193,39 @@ private:
     const auto& stretches = cell_.stretches();
     Locus_vertex<2> v = finite_vertex(a, stretches[a].ends[last]);
     v.feet.push_back(foot_at(stretches[a], stretches[a].ends[last]));
-    Foot other = foot_at(stretches[b], stretches[b].ends[first]);
-    const bool at_end_of_arc = v.feet.back().feature != Feature::interior;
-    if (at_end_of_arc && is_same(v.feet.back(), other)) v.feet.pop_back();
-    v.feet.push_back(std::move(other));
+    add_foot(v, foot_at(stretches[b], stretches[b].ends[first]));
+    // More than two are found from an end that is no end of a feature.
+    const bool from_b = stretches[a].ends[last].is_exact();
+    if (v.feet.size() > 1) add_contacts(v, from_b ? b : a, from_b ? first : last);
+    return finished(std::move(v));
+  }
+
+  void add_contacts(Locus_vertex<2>& v, std::size_t stretch, std::size_t e)
+  {
+    const Cell_stretch& s = cell_.stretches()[stretch];
+    for (const Cell_contact& c : Contact_finder(feature_of(s), filter_).at(s.ends[e], static_cast<int>(e))) {
+      Foot foot;
+      foot.input = curve_input_;
+      foot.parameters = {seen_.range_of(c.piece).at(Interval(c.lo, c.hi))};
+      if (c.lo == c.hi && (c.lo == 0 || c.lo == 1)) foot.feature = seen_.feature_at(c.piece, c.lo == 0 ? 0 : 1);
+      add_foot(v, std::move(foot));
+    }
+  }
+
+  /// Unless one at the same place is there.
+  static void add_foot(Locus_vertex<2>& v, Foot foot)
+  {
+    const auto meets = [&](const Foot& other) {
+      const Range &x = foot.parameters[0], &y = other.parameters[0];
+      return x.lo <= y.hi && y.lo <= x.hi;
+    };
+    if (std::none_of(v.feet.begin(), v.feet.end(), meets)) v.feet.push_back(std::move(foot));
+  }
+
+  std::size_t finished(Locus_vertex<2> v)
+  {
     v.feet.push_back(point_foot());
-    std::sort(v.feet.begin(), v.feet.end(), [](const Foot& x, const Foot& y) { return x.input < y.input; });
+    std::stable_sort(v.feet.begin(), v.feet.end(), [](const Foot& x, const Foot& y) { return x.input < y.input; });
     data_.vertices.push_back(std::move(v));
     return data_.vertices.size() - 1;
   }
@@ -227,12 +249,12 @@ private:
       v = Path_ends<2>(*work_).infinite_vertex(work_->pieces[stretch].forms.get(), pole_at(stretch, s.ends[e]));
     } else {
       v = finite_vertex(stretch, s.ends[e]);
-      v.kind = Vertex_kind::undecided;
+      if (!cell_.undecided().empty()) v.kind = Vertex_kind::undecided;
     }
-    v.feet = {foot_at(s, s.ends[e]), point_foot()};
-    if (curve_input_ == 1) std::swap(v.feet[0], v.feet[1]);
-    data_.vertices.push_back(std::move(v));
-    return data_.vertices.size() - 1;
+    v.feet.push_back(foot_at(s, s.ends[e]));
+    // A normal line ends where another foot is as near as the point itself: there is no stretch beyond.
+    if (v.kind == Vertex_kind::trim) add_contacts(v, stretch, e);
+    return finished(std::move(v));
   }
 
   /// The weight's zero at an end.
@@ -385,26 +407,17 @@ private:
   std::shared_ptr<Path_work<2>> work_;
   std::vector<Stretch_ends> ends_;
   bool bounded_ = false;
+  Filter_counts filter_;
   Locus_data<2> data_;
 };
 
-} // namespace detail
-
-/// The true bisector of a point and a curve in the plane, certified: all points whose distance to the point is their least
-/// distance to the whole curve, its ends and corners included (reading (71) of Farouki & Johnstone 1994). It bounds the convex
-/// cell of the points that are nearer to the point: `outline()` has its arcs counterclockwise. Where the point lies on the curve
-/// the answer is the set of points to which it is the nearest point of the curve: a part of the normal line or, at an end or a
-/// corner, a region.
-/// The curve may have any number of pieces and corners, poles, and a bounded, half-infinite or infinite domain.
-/// Cost: for each piece some ten to some hundred cells, each O(degree²) for every piece that is not yet known to be outside of
-/// the circles; elimination only in degenerate positions.
-inline Locus<2> bisector(const Coordinates_2& point, const Curve_2& curve, const Point_bisector_options& options = {})
+inline Locus<2> point_curve_bisector(const Coordinates_2& point, const Curve_2& curve, bool point_first, const Point_bisector_options& options)
 {
   return with_upward_rounding([&] {
     const auto start = std::chrono::steady_clock::now();
-    const detail::Seen_curve seen(curve, point.exact(), options.beyond_ends);
+    const Seen_curve seen(curve, point.exact(), options.beyond_ends);
     const Point_cell cell(seen.features(), options.control);
-    detail::Point_bisector_maker maker(seen, cell, options);
+    Point_bisector_maker maker(seen, cell, point_first, options);
     Locus_data<2> data = maker.make();
     if (options.keep_rational) {
       data.rational_curve = untrimmed_bisector_map(point, curve);
@@ -420,9 +433,25 @@ inline Locus<2> bisector(const Coordinates_2& point, const Curve_2& curve, const
   });
 }
 
+} // namespace detail
+
+/// The true bisector of a point and a curve in the plane, certified: all points whose distance to the point is their least
+/// distance to the whole curve, its ends and corners included (reading (71) of Farouki & Johnstone 1994). It bounds the convex
+/// cell of the points that are nearer to the point: `outline()` has its arcs counterclockwise. Where the point lies on the curve
+/// the answer is the set of points to which it is the nearest point of the curve: a part of the normal line or, at an end or a
+/// corner, a region.
+/// The curve may have any number of pieces and corners, poles, and a bounded, half-infinite or infinite domain.
+/// Cost: for each piece some ten to some hundred cells, each O(degree²) for every piece that is not yet known to be outside of
+/// the circles; elimination only in degenerate positions.
+/// Inputs are numbered in the order of the arguments.
+inline Locus<2> bisector(const Coordinates_2& point, const Curve_2& curve, const Point_bisector_options& options = {})
+{
+  return detail::point_curve_bisector(point, curve, true, options);
+}
+
 inline Locus<2> bisector(const Curve_2& curve, const Coordinates_2& point, const Point_bisector_options& options = {})
 {
-  return bisector(point, curve, options);
+  return detail::point_curve_bisector(point, curve, false, options);
 }
 
 } // namespace locus

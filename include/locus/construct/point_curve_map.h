@@ -29,20 +29,20 @@ inline Rational_map<2, 1> untrimmed_bisector_map(const Coordinates_2& point, con
   return Rational_map<2, 1>(std::move(pieces));
 }
 
-/// The same as a locus: arcs between its points at infinity, joined where the curve's tangent does not turn; cusps in
-/// `irregular`. The point is input 0 where `point_first`, else the curve.
-inline Locus<2> untrimmed_bisector(const Coordinates_2& point, const Curve_2& curve, bool point_first)
+namespace detail {
+
+inline Locus<2> untrimmed_point_bisector(const Coordinates_2& point, const Curve_2& curve, bool point_first)
 {
   return with_upward_rounding([&] {
     const auto start = std::chrono::steady_clock::now();
     auto map = untrimmed_bisector_map(point, curve);
-    detail::Locus_labels labels;
+    Locus_labels labels;
     labels.curve_input = point_first ? 1 : 0;
     labels.point_input = 1 - labels.curve_input;
     labels.inputs = {0, 1};
     labels.features = {Feature::interior, Feature::point};
     if (point_first) std::swap(labels.features[0], labels.features[1]);
-    Locus_data<2> data = detail::Rational_locus_maker<2>(curve, map, std::move(labels), {point.exact()}).make();
+    Locus_data<2> data = Rational_locus_maker<2>(curve, map, std::move(labels), {point.exact()}).make();
     data.compute = "bisector";
     data.equations.push_back({"untrimmed bisector", {map.degrees()[0]}});
     data.rational_curve = std::move(map);
@@ -51,8 +51,12 @@ inline Locus<2> untrimmed_bisector(const Coordinates_2& point, const Curve_2& cu
   });
 }
 
-inline Locus<2> untrimmed_bisector(const Coordinates_2& point, const Curve_2& curve) { return untrimmed_bisector(point, curve, true); }
-inline Locus<2> untrimmed_bisector(const Curve_2& curve, const Coordinates_2& point) { return untrimmed_bisector(point, curve, false); }
+} // namespace detail
+
+/// The same as a locus: arcs between its points at infinity, joined where the curve's tangent does not turn; cusps in
+/// `irregular`. Inputs are numbered in the order of the arguments.
+inline Locus<2> untrimmed_bisector(const Coordinates_2& point, const Curve_2& curve) { return detail::untrimmed_point_bisector(point, curve, true); }
+inline Locus<2> untrimmed_bisector(const Curve_2& curve, const Coordinates_2& point) { return detail::untrimmed_point_bisector(point, curve, false); }
 
 } // namespace locus
 

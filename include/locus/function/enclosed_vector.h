@@ -52,6 +52,13 @@ public:
     measure();
   }
 
+  /// From doubles, component after component, with one bound of their errors.
+  Enclosed_vector(std::size_t rank, int degree, std::vector<double> coefficients, double error)
+    : c_(std::move(coefficients)), rank_(rank), degree_(degree), error_(error)
+  {
+    measure();
+  }
+
   std::size_t rank() const { return rank_; }
   int degree() const { return degree_; }
   std::size_t count() const { return static_cast<std::size_t>(degree_) + 1; }
@@ -103,6 +110,15 @@ public:
     return value;
   }
 
+  /// The same over a short part [lo, hi] of the unit interval.
+  Enclosed_vector over(double lo, double hi) const
+  {
+    Enclosed_vector value = at(lo + 0.5 * (hi - lo));
+    value.error_ = (value.error_ + 2.0 * degree_ * norm_ * (hi - lo)) * (1 + 8 * operation_error);
+    value.measure();
+    return value;
+  }
+
 private:
   void measure()
   {
@@ -116,6 +132,34 @@ private:
   int degree_ = 0;
   double error_ = 0, norm_ = 0;
 };
+
+/// factor·a + c, for a and c of the same rank and degree.
+inline Enclosed_vector combined(const Bernstein<Bounded, 1>& factor, const Enclosed_vector& a, const Enclosed_vector& c)
+{
+  const auto form = [](const Enclosed_vector& x, std::size_t r) {
+    return Bernstein<Bounded, 1>(Bernstein<double, 1>(Degrees<1>{x.degree()}, std::vector<double>(x.component(r), x.component(r) + x.count())), x.error());
+  };
+  std::vector<double> values;
+  double error = 0;
+  for (std::size_t r = 0; r < a.rank(); ++r) {
+    const Bernstein<Bounded, 1> sum = add(multiply(factor, form(a, r)), form(c, r));
+    values.insert(values.end(), sum.values().coefficients().begin(), sum.values().coefficients().end());
+    error = std::max(error, sum.error());
+  }
+  return {a.rank(), a.degree() + factor.degree(), std::move(values), error};
+}
+
+/// The same vector written with a higher degree.
+inline Enclosed_vector elevated(const Enclosed_vector& a, int by)
+{
+  if (by == 0) return a;
+  std::vector<double> values;
+  for (std::size_t r = 0; r < a.rank(); ++r) {
+    const auto x = elevate(Bernstein<double, 1>(Degrees<1>{a.degree()}, std::vector<double>(a.component(r), a.component(r) + a.count())), 0, by);
+    values.insert(values.end(), x.coefficients().begin(), x.coefficients().end());
+  }
+  return {a.rank(), a.degree() + by, std::move(values), detail::accumulated_error(a.error(), 5.0 * by, a.norm())};
+}
 
 /// The Bernstein coefficients of a(u)·b(v), those of one power of u in a row.
 struct Product_table {

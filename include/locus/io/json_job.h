@@ -15,6 +15,7 @@ namespace locus {
 
 struct Job_options {
   bool trimmed = true;
+  bool beyond_ends = false; ///< of a point and a curve: the nearest point of the continued curve must lie on the curve itself
   Rational tolerance = Rational(1, 1000000); ///< positive
   bool has_tolerance = false;                ///< it was given; else surfaces may be drawn more coarsely
   Rational join_tolerance = 0;               ///< not negative
@@ -56,8 +57,9 @@ inline Job_input read_input(const Json_value& v, const std::string& place, Dimen
 inline Job_options read_options(const Json_value& v)
 {
   Job_options options;
-  require_object(v, "options", {"trimmed", "tolerance", "join_tolerance"}, "{\"trimmed\": false, \"tolerance\": 1e-6}");
+  require_object(v, "options", {"trimmed", "beyond_ends", "tolerance", "join_tolerance"}, "{\"trimmed\": false, \"tolerance\": 1e-6}");
   if (const Json_value* x = v.find("trimmed")) options.trimmed = read_bool(*x, "options.trimmed");
+  if (const Json_value* x = v.find("beyond_ends")) options.beyond_ends = read_bool(*x, "options.beyond_ends");
   if (const Json_value* x = v.find("tolerance")) {
     options.has_tolerance = true;
     options.tolerance = read_number(*x, "options.tolerance");
@@ -171,6 +173,7 @@ inline void require_supported_in_plane(const Job& job)
   const auto points = std::count_if(job.inputs.begin(), job.inputs.end(), is_point);
   if (points == 2) refuse(job.inputs[1].place, "bisectors of two points in the plane");
   if (points == 0) refuse_trimmed(job);
+  if (points == 0 && job.options.beyond_ends) refuse("options.beyond_ends", "bisectors of curves that are continued beyond their ends");
 }
 
 /// In space this version has the bisectors that are rational: of a point with anything, and of two curves.
