@@ -46,6 +46,7 @@ private:
 
   /// Contacts are at least this far apart, or neighbours of one: candidates are parts of v's interval of about this width.
   static constexpr double finest = 0x1p-18;
+  static constexpr std::size_t most = 100;
 
   /// Parts of a node on which the requirement may fail at u.
   void collect(const Open_requirement& r, double u, std::vector<Candidate>& candidates)
@@ -60,7 +61,8 @@ private:
       const auto& part = requirement.b->node(node);
       table_.make(a, part.f);
       if (std::all_of(table_.c.begin(), table_.c.end(), [&](double x) { return x > table_.error; })) continue;
-      if (part.width() <= finest) {
+      // A whole stretch of contacts, as on a circle about the end, is not looked at more closely.
+      if (part.width() <= finest || candidates.size() + todo.size() > most) {
         candidates.push_back({feature_.piece_of[r.requirement], part.lo, part.hi, {{r.requirement, node, r.slope}}});
         continue;
       }

@@ -29,20 +29,28 @@ public:
     return sum;
   }
 
-  /// From halfway to the pole on, the first place found beyond which all is outside. Near the pole it is; but nothing where no
-  /// double is near enough.
+  /// A place beyond which all is outside, up to the pole: the farthest one from the pole of those tried, at distances that halve.
+  /// Near the pole all is outside; but nothing where no double is near enough.
   static std::optional<double> stop_towards(const Bernstein<Rational, 1>& outside, const Isolated_root<Rational>& pole, const Rational& far, const Rational& near)
   {
     constexpr int most_halvings = 60;
-    Rational gap = (near - far) / 2;
-    for (int i = 0; i < most_halvings; ++i, gap /= 2) {
+    const bool before = far < near;
+    std::optional<double> found;
+    const auto try_at = [&](const Rational& gap) {
       const double at = nearest_double(Rational(near - gap));
       const Rational place(at);
-      if (place <= std::min(near, far) || place >= std::max(near, far)) continue;
-      const bool before = far < near;
-      if (is_positive(restrict_to(outside, 0, before ? place : pole.lo, before ? pole.hi : place))) return at;
-    }
-    return std::nullopt;
+      if (place <= std::min(near, far) || place >= std::max(near, far)) return false;
+      if (!is_positive(restrict_to(outside, 0, before ? place : pole.lo, before ? pole.hi : place))) return false;
+      found = at;
+      return true;
+    };
+    const Rational whole = near - far;
+    Rational gap = whole / 2;
+    for (int i = 0; i < most_halvings && !try_at(gap); ++i) gap /= 2;
+    if (!found || gap != whole / 2) return found;
+    Rational rest = whole / 4; // the other half may be outside as well, as where the parameter's middle is far away
+    for (int i = 0; i < most_halvings && try_at(Rational(whole - rest)); ++i) rest /= 2;
+    return found;
   }
 
   /// A vertex where the weight has an isolated zero, narrowed to some 120 bits: with direction and, at a simple zero, asymptote,

@@ -84,8 +84,16 @@ private:
     const auto is_of_weight = [](const Open_requirement& r) { return r.requirement == 0; };
     if (!feature.has_weight_requirement || std::none_of(end.open.begin(), end.open.end(), is_of_weight)) return false;
     if (std::all_of(end.open.begin(), end.open.end(), is_of_weight)) return true;
+    // Each alone, and elimination only where their boundary points are not told apart.
+    std::array<Feasible_end, 2> alone{end, end}; // of the weight, of the others
+    for (Feasible_end& e : alone) e.open.clear();
+    for (const Open_requirement& r : end.open) alone[is_of_weight(r) ? 0 : 1].open.push_back(r);
+    for (double width = end_width; width > 0x1p-48; width *= 0.25) {
+      for (Feasible_end& e : alone) refiner.narrow(e, side, width, width);
+      if (alone[0].hi < alone[1].lo) return side == 1;
+      if (alone[1].hi < alone[0].lo) return side == 0;
+    }
     const Bernstein<Rational, 1>& weight = feature.requirements[0].a->exact()[0];
-    if (sgn(evaluate_at(weight, Rational(side == 0 ? end.lo : end.hi))) > 0) return false;
     if (!refiner.make_algebraic(end, side)) throw std::logic_error("locus: the end of a stretch that is no event");
     refiner.narrow(end, side, end_width);
     const Algebraic_end& a = *end.algebraic;

@@ -40,8 +40,12 @@ struct Seen_piece {
   Bernstein<Rational, 1> weight;
   std::array<int, 2> lift_zeros{};
   std::shared_ptr<Vector_tree> lift;
+  std::vector<Bernstein<Interval, 1>> enclosed_lift;
+  std::array<std::array<Rational, 3>, 2> end_lift; ///< the lift at both ends
   std::size_t source = 0; ///< the curve's piece
   Rational from = 0, to = 1; ///< the part of it
+  bool starts_at_cusp = false, ends_at_cusp = false;
+  bool is_redundant = false; ///< another piece runs along the same path
 };
 
 struct Cell_features {
@@ -177,15 +181,18 @@ public:
   explicit Cell_feature_maker(std::vector<Seen_piece> pieces)
   {
     result_.pieces = std::move(pieces);
-    for (Seen_piece& piece : result_.pieces) make_lift(piece);
+    for (Seen_piece& piece : result_.pieces) {
+      make_lift(piece);
+      make_end_lifts(piece);
+    }
   }
 
   /// The inside of a piece, in both orientations that its tangents can have.
   void add_arc(std::size_t i)
   {
     const auto piece = std::make_shared<const Seen_piece>(result_.pieces[i]);
-    Piece_forms<Interval> forms({enclosed(piece->offset[0]), enclosed(piece->offset[1])}, enclosed(piece->weight));
     const auto seen = std::make_shared<const Enclosed_piece>(enclosed_piece(*piece));
+    Piece_forms<Interval> forms(seen->offset, seen->weight);
     forms.make_tangent();
     forms.make_weight_sign();
     const std::array<int, 2> zeros = end_zeros(forms.tangent, [piece] { return exact_tangent(*piece, {}); });
@@ -201,8 +208,7 @@ public:
     }
     if (all[0]) can[1] = false;
     if (all[1]) can[0] = false;
-    forms.make_lift();
-    forms.make_self(forms.tangent, without_end_zeros(forms.lift, piece->lift_zeros));
+    forms.make_self(forms.tangent, piece->enclosed_lift);
     const auto basis = basis_tree(forms.self.size());
     for (int sign = 1; sign >= -1; sign -= 2) {
       if (!can[sign > 0 ? 0 : 1]) continue;
@@ -218,38 +224,37 @@ public:
       }
       f.require({self, basis, {}, f.tangent_tree, result_.pieces[i].lift}, i);
       for (std::size_t j = 0; j < result_.pieces.size(); ++j)
-        if (j != i) f.require({f.tangent_tree, result_.pieces[j].lift}, j);
+        if (j != i && !result_.pieces[j].is_redundant) f.require({f.tangent_tree, result_.pieces[j].lift}, j);
       result_.features.push_back(std::move(f));
     }
   }
 
-  /// The centres of circles through the point that touch the given lift vector (a, b, c): the line a·x + b·y = c.
+  /// The centres of circles through the point that touch the lift vector (a, b, c) of an end: the line a·x + b·y = c.
   void add_vertex(std::size_t piece, int end)
   {
-    const Vector_form& lift = result_.pieces[piece].lift->exact();
-    const std::size_t k = end == 0 ? 0 : lift[0].size() - 1;
-    const Rational &a = lift[0][k], &b = lift[1][k], &c = lift[2][k];
+    const auto& [a, b, c] = result_.pieces[piece].end_lift[static_cast<std::size_t>(end)];
     const Rational square = a * a + b * b;
     if (square == 0) return; // at infinity
     const Rational across = c / square, along = c == 0 ? Rational(1) / std::max(Rational(abs(a)), Rational(abs(b))) : across;
-    Cell_feature f;
-    f.kind = Cell_feature::Kind::vertex;
-    f.piece = piece;
-    f.end = end;
-    add_line(std::move(f), {Rational(a * across), Rational(b * across)}, {Rational(-b * along), Rational(a * along)});
+    add_line(Cell_feature::Kind::vertex, piece, end, {Rational(a * across), Rational(b * across)}, {Rational(-b * along), Rational(a * along)});
+  }
+
+  /// Whether two ends have one line: the same point, or, where the point itself is there, the same tangent.
+  bool has_one_line(const std::pair<std::size_t, int>& x, const std::pair<std::size_t, int>& y) const
+  {
+    const auto &a = result_.pieces[x.first].end_lift[static_cast<std::size_t>(x.second)], &b = result_.pieces[y.first].end_lift[static_cast<std::size_t>(y.second)];
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t l = 0; l < k; ++l)
+        if (a[k] * b[l] != a[l] * b[k]) return false;
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > 0;
   }
 
   /// The normal line of the curve where the point is, at an end of a piece.
   void add_normal(std::size_t piece, int end)
   {
-    const Vector_form& lift = result_.pieces[piece].lift->exact();
-    const std::size_t k = end == 0 ? 0 : lift[0].size() - 1;
-    const Rational &a = lift[0][k], &b = lift[1][k], along = Rational(1) / std::max(Rational(abs(a)), Rational(abs(b)));
-    Cell_feature f;
-    f.kind = Cell_feature::Kind::normal;
-    f.piece = piece;
-    f.end = end;
-    add_line(std::move(f), {Rational(0), Rational(0)}, {Rational(-b * along), Rational(a * along)});
+    const auto& [a, b, c] = result_.pieces[piece].end_lift[static_cast<std::size_t>(end)];
+    const Rational along = Rational(1) / std::max(Rational(abs(a)), Rational(abs(b)));
+    add_line(Cell_feature::Kind::normal, piece, end, {Rational(0), Rational(0)}, {Rational(-b * along), Rational(a * along)});
   }
 
   Cell_features result() { return std::move(result_); }
@@ -309,6 +314,18 @@ private:
     return std::make_shared<Vector_tree>(enclosed_vector(f), std::move(make_exact));
   }
 
+  /// From the curve's own end where the point is not there.
+  static void make_end_lifts(Seen_piece& piece)
+  {
+    for (std::size_t end = 0; end < 2; ++end) {
+      const auto at = [&](const Bernstein<Rational, 1>& f) -> const Rational& { return f[end == 0 ? 0 : f.size() - 1]; };
+      const Rational &x = at(piece.offset[0]), &y = at(piece.offset[1]), &w = at(piece.weight);
+      if (piece.lift_zeros[end] == 0) piece.end_lift[end] = {Rational(2 * w * x), Rational(2 * w * y), Rational(x * x + y * y)};
+      else
+        for (std::size_t k = 0; k < 3; ++k) piece.end_lift[end][k] = at(piece.lift->exact()[k]);
+    }
+  }
+
   void make_lift(Seen_piece& piece) const
   {
     Piece_forms<Interval> forms({enclosed(piece.offset[0]), enclosed(piece.offset[1])}, enclosed(piece.weight));
@@ -316,7 +333,8 @@ private:
     const Seen_piece exact = piece;
     piece.lift_zeros = end_zeros(forms.lift, [&] { return exact_lift(exact); });
     const std::array<int, 2> zeros = piece.lift_zeros;
-    piece.lift = tree(without_end_zeros(forms.lift, zeros), 1, [exact, zeros] { return without_end_zeros(exact_lift(exact), zeros); });
+    piece.enclosed_lift = without_end_zeros(forms.lift, zeros);
+    piece.lift = tree(piece.enclosed_lift, 1, [exact, zeros] { return without_end_zeros(exact_lift(exact), zeros); });
     if (zeros == std::array<int, 2>{})
       piece.lift->set_fresh([seen = enclosed_piece(exact)](double v) {
         const auto l = fresh_lift(seen, v)[0];
@@ -343,8 +361,12 @@ private:
   using Vector_2 = std::array<Rational, 2>;
 
   /// q = middle + λ·along, with the requirements of all pieces; zeros that all of its points share with a piece's end divided out.
-  void add_line(Cell_feature f, const Vector_2& middle, const Vector_2& along)
+  void add_line(Cell_feature::Kind kind, std::size_t piece, int end, const Vector_2& middle, const Vector_2& along)
   {
+    Cell_feature f;
+    f.kind = kind;
+    f.piece = piece;
+    f.end = end;
     const Rational half(1, 2);
     Vector_form tangent(3, Bernstein<Rational, 1>(Degrees<1>{2}));
     for (std::size_t k = 0; k < 2; ++k) {
@@ -354,28 +376,48 @@ private:
     }
     tangent[2][1] = half;
     f.tangent_tree = std::make_shared<Vector_tree>(std::move(tangent));
-    for (std::size_t j = 0; j < result_.pieces.size(); ++j) f.require({f.tangent_tree, without_common_zeros(f.tangent(), result_.pieces[j])}, j);
+    for (std::size_t j = 0; j < result_.pieces.size(); ++j)
+      if (!result_.pieces[j].is_redundant) f.require({f.tangent_tree, without_common_zeros(f.tangent(), result_.pieces[j])}, j);
     result_.features.push_back(std::move(f));
   }
 
-  static bool vanishes_at(const Vector_form& tangent, const Vector_form& lift, int end)
+  static bool is_orthogonal(const Vector_form& tangent, const std::array<Rational, 3>& lift)
   {
-    const std::size_t j = end == 0 ? 0 : lift[0].size() - 1;
     for (std::size_t i = 0; i < tangent[0].size(); ++i)
-      if (dot_at(tangent, i, lift, j) != 0) return false;
+      if (tangent[0][i] * lift[0] + tangent[1][i] * lift[1] + tangent[2][i] * lift[2] != 0) return false;
     return true;
   }
 
+  /// A simple zero at an end is the rule, where the piece begins or ends there; at a point on the curve there are more.
   static std::shared_ptr<Vector_tree> without_common_zeros(const Vector_form& tangent, const Seen_piece& piece)
   {
-    Vector_form lift = piece.lift->exact();
-    bool divided = false;
-    for (int end = 0; end < 2; ++end)
-      while (lift[0].degree() > 0 && vanishes_at(tangent, lift, end)) {
-        for (auto& x : lift) x = without_end_zero(x, end);
-        divided = true;
-      }
-    return divided ? std::make_shared<Vector_tree>(std::move(lift)) : piece.lift;
+    std::array<int, 2> times{};
+    for (std::size_t end = 0; end < 2; ++end)
+      if (is_orthogonal(tangent, piece.end_lift[end])) times[end] = zeros_of_product(tangent, piece, end);
+    if (times == std::array<int, 2>{}) return piece.lift;
+    return tree(without_end_zeros(piece.enclosed_lift, times), 1, [lift = piece.lift->lazy_exact(), times] { return without_end_zeros(lift.get(), times); });
+  }
+
+  static int zeros_of_product(const Vector_form& tangent, const Seen_piece& piece, std::size_t end)
+  {
+    int times = 1;
+    for (const std::size_t n = piece.enclosed_lift[0].size(); static_cast<std::size_t>(times) < n; ++times) {
+      const std::size_t k = end == 0 ? static_cast<std::size_t>(times) : n - 1 - static_cast<std::size_t>(times);
+      if (is_certainly_not_orthogonal(tangent, piece, k)) break;
+      const Vector_form& lift = piece.lift->exact();
+      if (!is_orthogonal(tangent, {lift[0][k], lift[1][k], lift[2][k]})) break;
+    }
+    return times;
+  }
+
+  static bool is_certainly_not_orthogonal(const Vector_form& tangent, const Seen_piece& piece, std::size_t k)
+  {
+    for (std::size_t i = 0; i < tangent[0].size(); ++i) {
+      Interval sum(0);
+      for (std::size_t r = 0; r < 3; ++r) sum += enclosing(tangent[r][i]) * piece.enclosed_lift[r][k];
+      if (!contains_zero(sum)) return true;
+    }
+    return false;
   }
 
   Cell_features result_;

@@ -145,8 +145,10 @@ private:
     bounded_ = cell_.undecided().empty();
     for (std::size_t k = 0; k < boundary.size(); ++k) {
       const std::size_t a = boundary[k], b = boundary[k + 1], last = boundary.last_end(a), first = boundary.first_end(b);
-      const bool goes_on = boundary.goes_on(k) && cell_.undecided().empty();
-      bounded_ = bounded_ && goes_on;
+      // The two sides of a normal line are not seen from between them.
+      const bool is_line = feature_of(stretches[a]).kind == Cell_feature::Kind::normal;
+      const bool goes_on = boundary.goes_on(k) && cell_.undecided().empty() && !is_line;
+      bounded_ = bounded_ && (is_line ? !stretches[a].infinite[0] && !stretches[a].infinite[1] : goes_on);
       if (!is_own(a) && !is_own(b)) continue;
       if (goes_on && is_own(a) != is_own(b)) {
         const std::size_t v = add_vertex(a, last, b, first);
@@ -263,10 +265,8 @@ private:
     const Bernstein<Rational, 1>& weight = work_->pieces[stretch].forms.get().weight;
     Isolated_root<Rational> root{Rational(end.lo), Rational(end.hi), 1, nullptr};
     if (end.is_exact()) {
-      const bool low = end.lo == 0;
-      std::size_t k = 0;
-      while (k < weight.size() && weight[low ? k : weight.size() - 1 - k] == 0) ++k;
-      root.multiplicity = static_cast<int>(std::max<std::size_t>(k, 1));
+      Bernstein<Rational, 1> slope = derivative(weight);
+      for (; slope.degree() > 0 && evaluate_at(slope, root.lo) == 0; slope = derivative(slope)) ++root.multiplicity;
       return root;
     }
     auto set = exact_roots(Bernstein<Scaled_integer, 1>(restrict_to(weight, 0, root.lo, root.hi)), Rational(0), Rational(1));

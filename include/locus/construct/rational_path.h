@@ -195,7 +195,7 @@ private:
     draft.tolerance = tolerance;
     for (const Path_leg& leg : legs_) {
       const auto& piece = work_->pieces[leg.piece];
-      Part part{leg.lo, leg.hi, piece.numerator, piece.weight, 1};
+      Part part{leg.lo, leg.hi, piece.numerator, piece.weight, 1, false};
       part.restrict_from_unit();
       if (draft.points.empty()) draft.points.push_back(work_->at(leg.piece, Interval(leg.lo)));
       refine(leg.piece, part, 0, draft);
@@ -209,6 +209,7 @@ private:
     std::array<Bernstein<Interval, 1>, size> numerator;
     Bernstein<Interval, 1> weight;
     double enclosed_on; ///< the length of the part on which the forms were enclosed: their errors are of that part's size
+    bool is_fresh = false; ///< on this very part
 
     void restrict_from_unit()
     {
@@ -219,7 +220,7 @@ private:
     std::array<Part, 2> halves() const
     {
       const double mid = 0.5 * (lo + hi);
-      std::array<Part, 2> parts{Part{lo, mid, {}, {}, enclosed_on}, Part{mid, hi, {}, {}, enclosed_on}};
+      std::array<Part, 2> parts{Part{lo, mid, {}, {}, enclosed_on, false}, Part{mid, hi, {}, {}, enclosed_on, false}};
       for (std::size_t k = 0; k < size; ++k) {
         auto both = split(numerator[k], 0, Interval(0.5));
         parts[0].numerator[k] = std::move(both.first);
@@ -255,9 +256,12 @@ private:
     if (draft.points.size() > most_points) return;
     const Arc_point<Dim> last = work_->at(piece, Interval(part.hi));
     const auto [distance, rounding] = distance_from_chord(part, draft.points.back().point(), last.point());
-    if (is_poor(distance, rounding, draft) && part.hi - part.lo <= 0x1p-8 * part.enclosed_on) return refine(piece, afresh(piece, part), depth, draft);
+    // Beyond the cut radius the tolerance grows with the distance: an end may be finite and very far away.
+    const double tolerance = draft.tolerance * std::max(1.0, std::min(distance_of(draft.points.back().point()), distance_of(last.point())) / work_->cut_radius);
+    if (!part.is_fresh && is_poor(distance, rounding, tolerance) && part.hi - part.lo <= 0x1p-8 * part.enclosed_on) return refine(piece, afresh(piece, part), depth, draft);
     const double mid = 0.5 * (part.lo + part.hi);
-    if (distance <= std::max(draft.tolerance, 4 * rounding) || depth == deepest || !(mid > part.lo && mid < part.hi)) {
+    const bool is_done = distance <= tolerance || (part.is_fresh && distance <= 4 * rounding);
+    if (is_done || depth == deepest || !(mid > part.lo && mid < part.hi)) {
       draft.error = std::max(draft.error, distance);
       draft.points.push_back(last);
       return;
@@ -270,9 +274,21 @@ private:
   using Point = std::array<Interval, size>;
 
   /// Roundings, not bending, are what keeps the distance from being small.
-  static bool is_poor(double distance, double rounding, const Draft& draft)
+  static bool is_poor(double distance, double rounding, double tolerance)
   {
-    return !std::isfinite(distance) || (distance > draft.tolerance && distance <= 4 * rounding);
+    return !std::isfinite(distance) || (distance > tolerance && distance <= 4 * rounding);
+  }
+
+  /// From the inputs' middle, about, in frame units.
+  double distance_of(const Approximate_point<Dim>& p) const
+  {
+    const Point x = framed(p);
+    double square = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      const double d = midpoint(x[k]) - work_->centre[k];
+      square += d * d;
+    }
+    return std::sqrt(square);
   }
 
   /// The same part, its forms enclosed from exact ones on it.
@@ -283,7 +299,7 @@ private:
     const auto on_part = [&](const Bernstein<Rational, 1>& f) {
       return converted<Interval>(restrict_to(f, 0, lo, hi), [](const Rational& c) { return enclosing(c); });
     };
-    Part fresh{part.lo, part.hi, {}, on_part(forms.weight), part.hi - part.lo};
+    Part fresh{part.lo, part.hi, {}, on_part(forms.weight), part.hi - part.lo, true};
     for (std::size_t k = 0; k < size; ++k)
       fresh.numerator[k] = on_part(subtract(forms.numerator[k], multiply(forms.weight, Rational(work_->centre[k]))));
     return fresh;

@@ -7,6 +7,7 @@
 #include <locus/construct/parameter_range.h>
 #include <locus/construct/point_cell_features.h>
 #include <locus/function/rational_root.h>
+#include <locus/shape/cusps.h>
 #include <locus/shape/parent_curve.h>
 #include <locus/shape/rational_map.h>
 
@@ -14,7 +15,8 @@ namespace locus {
 namespace detail {
 
 /// A curve as seen from a point, in a frame of both: its pieces, cut where the point lies on them, and the features that
-/// circles through the point can touch.
+/// circles through the point can touch. Throws Unsupported_feature for cusps, and for the point on the curve, at irrational
+/// parameters inside pieces.
 class Seen_curve {
 public:
   /// With `beyond_ends` the curve is continued over the whole line (reading (70) of Farouki & Johnstone 1994).
@@ -35,10 +37,13 @@ public:
         is_own_.push_back(piece.is_own);
         add_piece(chain_.pieces.size() - 1, framed(piece.forms));
       }
-      return;
+    } else {
+      is_own_.assign(curve.pieces().size(), true);
+      for (std::size_t i = 0; i < curve.pieces().size(); ++i) add_piece(i, framed(curve.pieces()[i]));
     }
-    is_own_.assign(curve.pieces().size(), true);
-    for (std::size_t i = 0; i < curve.pieces().size(); ++i) add_piece(i, framed(curve.pieces()[i]));
+    note_boxes();
+    drop_overlaps();
+    note_hits();
   }
 
   std::size_t size() const { return pieces_.size(); }
@@ -78,23 +83,20 @@ public:
 
   Feature feature_at(std::size_t piece, int end) const
   {
-    if (is_cut(piece, end)) return Feature::interior;
+    if (is_cut(piece, end)) return is_cusp(piece, end) ? Feature::corner : Feature::interior;
     if (beyond_ends_) {
       const bool ends_here = is_own(piece) && (end == 0 ? piece == 0 || !is_own(piece - 1) : piece + 1 == size() || !is_own(piece + 1));
       return !ends_here ? Feature::interior : end == 0 ? Feature::start : Feature::end;
     }
-    const Joint* joint = joint_at(piece, end);
-    if (joint && is_smooth(*joint)) return Feature::interior;
-    if (joint) return Feature::corner;
+    if (goes_on_smoothly_at(piece, end)) return Feature::interior;
+    if (joint_at(piece, end)) return Feature::corner;
     return end == 0 ? Feature::start : Feature::end;
   }
 
   /// Whether the next piece at an end is this one, with the same tangent.
   bool goes_on_smoothly(std::size_t piece, int end, std::size_t next) const
   {
-    if (is_cut(piece, end)) return next == (end == 1 ? piece + 1 : piece - 1);
-    const Joint* joint = joint_at(piece, end);
-    return joint && is_smooth(*joint) && next == neighbour(piece, end);
+    return goes_on_smoothly_at(piece, end) && next == (is_cut(piece, end) ? (end == 1 ? piece + 1 : piece - 1) : neighbour(piece, end));
   }
 
   Cell_features features() const
@@ -104,10 +106,15 @@ public:
       maker.add_normal(smooth_hit_->first, smooth_hit_->second);
       return maker.result();
     }
+    std::vector<std::pair<std::size_t, int>> vertices;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (!repeats_earlier_piece(i)) maker.add_arc(i);
-      for (int end = 0; end < 2; ++end)
-        if (is_vertex(i, end)) maker.add_vertex(i, end);
+      if (!pieces_[i].is_redundant) maker.add_arc(i);
+      for (int end = 0; end < 2; ++end) {
+        const std::pair<std::size_t, int> vertex(i, end);
+        if (!is_vertex(i, end) || std::any_of(vertices.begin(), vertices.end(), [&](const auto& v) { return maker.has_one_line(v, vertex); })) continue;
+        vertices.push_back(vertex);
+        maker.add_vertex(i, end);
+      }
     }
     return maker.result();
   }
@@ -119,52 +126,161 @@ private:
     for (std::size_t k = 0; k < 2; ++k) seen.offset[k] = subtract(piece.numerator[k], multiply(piece.weight, point_[k]));
     seen.weight = piece.weight;
     seen.source = source;
-    std::vector<Rational> cuts{Rational(0), Rational(1)};
-    for (const Rational& s : places_of_point(seen)) cuts.insert(cuts.end() - 1, s);
+    std::vector<Rational> cuts = places_of(seen, {Rational(0), Rational(0)});
+    const std::vector<Rational> cusps = places_of_cusps(piece);
+    cuts.insert(cuts.end(), cusps.begin(), cusps.end());
+    add_parts(seen, std::move(cuts), cusps);
+  }
+
+  /// The parts of a piece between the cuts; at some of them the curve stands still: it may reverse there, as at a corner.
+  void add_parts(const Seen_piece& seen, std::vector<Rational> cuts, const std::vector<Rational>& cusps)
+  {
+    cuts.push_back(Rational(0));
+    cuts.push_back(Rational(1));
+    std::sort(cuts.begin(), cuts.end());
+    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+    const Rational length = seen.to - seen.from;
+    const auto is_cusp = [&](const Rational& s) { return std::find(cusps.begin(), cusps.end(), s) != cusps.end(); };
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
       Seen_piece part = seen;
       if (cuts.size() > 2) {
         for (auto& x : part.offset) x = restrict_to(x, 0, cuts[k], cuts[k + 1]);
         if (part.weight.degree() > 0) part.weight = restrict_to(part.weight, 0, cuts[k], cuts[k + 1]);
-        part.from = cuts[k];
-        part.to = cuts[k + 1];
+        part.from = seen.from + cuts[k] * length;
+        part.to = seen.from + cuts[k + 1] * length;
+        part.starts_at_cusp = k == 0 ? seen.starts_at_cusp : is_cusp(cuts[k]);
+        part.ends_at_cusp = k + 2 == cuts.size() ? seen.ends_at_cusp : is_cusp(cuts[k + 1]);
       }
+      ranges_.push_back(range_between(part.source, part.from, part.to));
       pieces_.push_back(std::move(part));
-      ranges_.push_back(range_between(source, cuts[k], cuts[k + 1]));
-      note_hits();
     }
   }
 
-  /// The ends of the piece added last where the point is. A cut, and a smooth joint, count once, from before.
+  /// All ends at which the point is. A smooth place counts once.
   void note_hits()
   {
-    const std::size_t i = pieces_.size() - 1;
-    for (int end = 0; end < 2; ++end) {
-      const auto at = [&](const Bernstein<Rational, 1>& x) { return x[end == 0 ? 0 : x.size() - 1]; };
-      if (at(pieces_[i].offset[0]) != 0 || at(pieces_[i].offset[1]) != 0) continue;
-      hits_.push_back({i, end});
-      const Joint* joint = joint_at(i, end);
-      if (!smooth_hit_ && (is_cut(i, end) || (joint && is_smooth(*joint)))) smooth_hit_ = {i, end};
-    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for (int end = 0; end < 2; ++end) {
+        const auto at = [&](const Bernstein<Rational, 1>& x) { return x[end == 0 ? 0 : x.size() - 1]; };
+        if (at(pieces_[i].offset[0]) != 0 || at(pieces_[i].offset[1]) != 0) continue;
+        hits_.push_back({i, end});
+        if (!smooth_hit_ && goes_on_smoothly_at(i, end)) smooth_hit_ = {i, end};
+      }
   }
 
-  /// The parameters inside a piece at which the curve passes the point, in order.
-  std::vector<Rational> places_of_point(const Seen_piece& seen) const
+  /// The parameters inside a piece at which the curve passes a place, given relative to the point.
+  static std::vector<Rational> places_of(const Seen_piece& seen, const std::array<Rational, 2>& place)
   {
-    const auto x = enclosed(seen.offset[0]), y = enclosed(seen.offset[1]);
-    const auto square = add(multiply(x, x), multiply(y, y));
+    Polynomial_vector<1, 2> from = seen.offset;
+    std::array<Bernstein<Interval, 1>, 2> enclosures;
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (place[k] != 0) from[k] = subtract(from[k], multiply(seen.weight, place[k]));
+      enclosures[k] = enclosed(from[k]);
+    }
+    const auto square = add(multiply(enclosures[0], enclosures[0]), multiply(enclosures[1], enclosures[1]));
     if (std::all_of(square.coefficients().begin(), square.coefficients().end(), [](const Interval& c) { return c.inf() > 0; })) return {};
-    const Integer_polynomial common = common_factor(Polynomial_vector<1, 2>{seen.offset[0], seen.offset[1]});
+    return inner_rational_roots(common_factor(from), "a point on the curve at an irrational parameter, where the curve crosses itself");
+  }
+
+  static std::vector<Rational> inner_rational_roots(const Integer_polynomial& f, const char* if_irrational)
+  {
     std::vector<Rational> places;
-    if (degree(common) < 1) return places;
-    for (const auto& root : exact_roots(bernstein_form(common), Rational(0), Rational(1)).roots) {
+    if (degree(f) < 1) return places;
+    for (const auto& root : exact_roots(bernstein_form(f), Rational(0), Rational(1)).roots) {
       if (root.is_exact() && (root.lo == 0 || root.lo == 1)) continue;
       const auto s = rational_value(root);
-      if (!s) throw Unsupported_feature("a point on the curve at an irrational parameter, where the curve crosses itself");
+      if (!s) throw Unsupported_feature(if_irrational);
       places.push_back(*s);
     }
     return places;
   }
+
+  /// Where a piece stands still inside.
+  static std::vector<Rational> places_of_cusps(const Curve_piece<2>& piece)
+  {
+    Bernstein<Interval, 1> square(Degrees<1>{0});
+    for (const auto& x : piece.numerator) {
+      const auto d = velocity_numerator(enclosed(x), enclosed(piece.weight));
+      square = add(square, multiply(d, d));
+    }
+    if (std::all_of(square.coefficients().begin(), square.coefficients().end(), [](const Interval& c) { return c.inf() > 0; })) return {};
+    return inner_rational_roots(standstill_factor(piece), "a curve with a cusp at an irrational parameter");
+  }
+
+  // ---------------------------------------------------------------------------------------------------------- overlaps
+
+  /// Where pieces run along one path, all but one of them say nothing: they are cut where they begin and cease to.
+  void drop_overlaps()
+  {
+    std::vector<std::vector<Rational>> cuts(pieces_.size());
+    bool any = false;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for (std::size_t j = 0; j < pieces_.size(); ++j)
+        if (i != j && boxes_meet(i, j))
+          for (const int end : {0, 1}) {
+            if (end_weight(j, end) == 0) continue;
+            for (const Rational& s : places_of(pieces_[i], end_place(j, end))) {
+              cuts[i].push_back(s);
+              any = true;
+            }
+          }
+    if (any) {
+      const std::vector<Seen_piece> whole = std::move(pieces_);
+      pieces_.clear();
+      ranges_.clear();
+      for (std::size_t i = 0; i < whole.size(); ++i) add_parts(whole[i], std::move(cuts[i]), {});
+      note_boxes();
+    }
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for (std::size_t j = 0; j < i && !pieces_[i].is_redundant; ++j)
+        pieces_[i].is_redundant = !pieces_[j].is_redundant && boxes_meet(i, j) && is_one_path(pieces_[i], pieces_[j], i, j);
+  }
+
+  const Rational& end_weight(std::size_t i, int end) const { return pieces_[i].weight[end == 0 ? 0 : pieces_[i].weight.size() - 1]; }
+
+  std::array<Rational, 2> end_place(std::size_t i, int end) const
+  {
+    const Seen_piece& p = pieces_[i];
+    const Rational& w = end_weight(i, end);
+    return {Rational(p.offset[0][end == 0 ? 0 : p.offset[0].size() - 1] / w), Rational(p.offset[1][end == 0 ? 0 : p.offset[1].size() - 1] / w)};
+  }
+
+  /// Same ends, and more points of one on the other than two different curves of their degrees can share (Bézout).
+  bool is_one_path(const Seen_piece& a, const Seen_piece& b, std::size_t i, std::size_t j) const
+  {
+    if (end_weight(i, 0) == 0 || end_weight(i, 1) == 0 || end_weight(j, 0) == 0 || end_weight(j, 1) == 0) return false;
+    const auto from = end_place(i, 0), to = end_place(i, 1), other_from = end_place(j, 0), other_to = end_place(j, 1);
+    if (!(from == other_from && to == other_to) && !(from == other_to && to == other_from)) return false;
+    const int n = std::max(a.offset[0].degree(), a.weight.degree()), m = std::max(b.offset[0].degree(), b.weight.degree());
+    for (int k = 1; k <= n * m; ++k) {
+      const Rational s = Rational(k) / (n * m + 1), w = evaluate_at(a.weight, s);
+      const std::array<Rational, 2> place{Rational(evaluate_at(a.offset[0], s) / w), Rational(evaluate_at(a.offset[1], s) / w)};
+      Polynomial_vector<1, 2> difference;
+      for (std::size_t l = 0; l < 2; ++l) difference[l] = subtract(b.offset[l], multiply(b.weight, place[l]));
+      const Integer_polynomial common = common_factor(difference);
+      if (degree(common) < 1 || exact_roots(bernstein_form(common), Rational(0), Rational(1)).roots.empty()) return false;
+    }
+    return true;
+  }
+
+  /// Enclosing boxes of the pieces' control polygons, unbounded where weights are not all positive.
+  void note_boxes()
+  {
+    boxes_.clear();
+    for (const Seen_piece& p : pieces_) {
+      std::array<Interval, 2> box{Interval(0), Interval(0)};
+      for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t i = 0; i < p.offset[k].size(); ++i) {
+          const Interval w = enclosing(p.weight[p.weight.degree() == 0 ? 0 : i]);
+          constexpr double infinite = std::numeric_limits<double>::infinity();
+          const Interval x = w.inf() > 0 ? enclosing(p.offset[k][i]) / w : Interval(-infinite, infinite);
+          box[k] = i == 0 ? x : hull(box[k], x);
+        }
+      boxes_.push_back(box);
+    }
+  }
+
+  bool boxes_meet(std::size_t i, std::size_t j) const { return overlap(boxes_[i][0], boxes_[j][0]) && overlap(boxes_[i][1], boxes_[j][1]); }
 
   Parameter_range range_between(std::size_t source, const Rational& from, const Rational& to) const
   {
@@ -182,6 +298,15 @@ private:
   }
 
   bool is_cut(std::size_t piece, int end) const { return end == 0 ? pieces_[piece].from != 0 : pieces_[piece].to != 1; }
+  bool is_cusp(std::size_t piece, int end) const { return end == 0 ? pieces_[piece].starts_at_cusp : pieces_[piece].ends_at_cusp; }
+
+  /// Whether the curve goes on at an end, with the same tangent.
+  bool goes_on_smoothly_at(std::size_t piece, int end) const
+  {
+    if (is_cut(piece, end)) return !is_cusp(piece, end);
+    const Joint* joint = joint_at(piece, end);
+    return joint && is_smooth(*joint);
+  }
 
   const Joint* joint_at(std::size_t piece, int end) const { return is_cut(piece, end) ? nullptr : chain_.joint_at(pieces_[piece].source, end); }
 
@@ -198,29 +323,11 @@ private:
   /// Ends, and of a corner the end of the piece before it; both where the point itself is there.
   bool is_vertex(std::size_t piece, int end) const
   {
-    if (is_cut(piece, end) || beyond_ends_) return false;
-    const Joint* joint = joint_at(piece, end);
-    if (joint && is_smooth(*joint)) return false;
-    const auto& w = pieces_[piece].weight;
-    if (w[end == 0 ? 0 : w.size() - 1] == 0) return false;
+    const bool ends_here = !is_cut(piece, end) && beyond_ends_;
+    if (ends_here || goes_on_smoothly_at(piece, end) || end_weight(piece, end) == 0) return false;
     const bool hit = std::find(hits_.begin(), hits_.end(), std::pair<std::size_t, int>(piece, end)) != hits_.end();
-    return !joint || end == 1 || hit;
-  }
-
-  /// Whether an earlier piece runs along the same path, in either sense: one of them is enough.
-  bool repeats_earlier_piece(std::size_t i) const
-  {
-    const auto same = [](const Bernstein<Rational, 1>& a, const Bernstein<Rational, 1>& b, bool reversed) {
-      if (a.size() != b.size()) return false;
-      return reversed ? std::equal(a.coefficients().begin(), a.coefficients().end(), b.coefficients().rbegin()) : a.coefficients() == b.coefficients();
-    };
-    const Seen_piece& p = pieces_[i];
-    for (std::size_t j = 0; j < i; ++j)
-      for (const bool reversed : {false, true})
-        if (same(p.offset[0], pieces_[j].offset[0], reversed) && same(p.offset[1], pieces_[j].offset[1], reversed) &&
-            same(p.weight, pieces_[j].weight, reversed))
-          return true;
-    return false;
+    const bool has_next = is_cut(piece, end) || joint_at(piece, end);
+    return !has_next || end == 1 || hit;
   }
 
   Chain chain_;
@@ -231,6 +338,7 @@ private:
   Exact_point<2> point_;
   std::vector<Seen_piece> pieces_;
   std::vector<Parameter_range> ranges_;
+  std::vector<std::array<Interval, 2>> boxes_;
   std::vector<std::pair<std::size_t, int>> hits_;
   std::optional<std::pair<std::size_t, int>> smooth_hit_;
 };

@@ -2,80 +2,23 @@
 #ifndef LOCUS_IO_SVG_H
 #define LOCUS_IO_SVG_H
 
+#include <locus/io/svg_legend.h>
 #include <locus/io/svg_plane.h>
 #include <locus/io/svg_square.h>
 
 #include <fstream>
-#include <functional>
 #include <stdexcept>
 
 namespace locus {
 
 namespace detail {
 
-/// A legend in rows: entries are laid out first, for the page's height, and written afterwards.
-class Picture_legend {
-public:
-  /// Draws the symbol of an entry at a place.
-  using Symbol = std::function<void(std::ostream&, const Picture_point&)>;
-
-  void add(const std::string& text, Symbol symbol) { entries_.push_back({text, std::move(symbol)}); }
-
-  /// Lays it out from `top` on; writes it if there is a stream. Returns its height.
-  double lay_out(double top, double page_width, std::ostream* out) const
-  {
-    constexpr double row = 26, left = 40, symbol_width = 30, gap = 26;
-    Picture_point at{left, top};
-    for (const auto& [text, symbol] : entries_) {
-      const double text_width = 7.1 * letters(text);
-      if (at.x + symbol_width + text_width > page_width - left && at.x > left) at = {left, at.y + row};
-      if (out) {
-        symbol(*out, at);
-        svg_text(*out, {at.x + symbol_width, at.y + 5}, text, "");
-      }
-      at.x += symbol_width + text_width + gap;
-    }
-    return at.y - top + 20;
-  }
-
-  static Symbol line(const std::string& style)
-  {
-    return [style](std::ostream& out, const Picture_point& p) { svg_path(out, "M" + pixels(p) + "h22", style); };
-  }
-  static Symbol square(const std::string& style)
-  {
-    return [style](std::ostream& out, const Picture_point& p) { svg_rectangle(out, {p.x + 5, p.y - 7}, 14, 14, style); };
-  }
-  static Symbol vertex(Vertex_kind kind)
-  {
-    return [kind](std::ostream& out, const Picture_point& p) { svg_vertex(out, {p.x + 12, p.y}, kind, component_colour(0)); };
-  }
-  static Symbol curvature_point(Curvature_event kind)
-  {
-    return [kind](std::ostream& out, const Picture_point& p) { svg_curvature_point(out, {p.x + 12, p.y}, kind); };
-  }
-  static Symbol joint(bool corner)
-  {
-    return [corner](std::ostream& out, const Picture_point& p) {
-      svg_path(out, "M" + pixels(p) + "h22", stroke(picture::input[0], 2.5));
-      svg_joint(out, {p.x + 11, p.y}, {1, 0}, corner, picture::input[0]);
-    };
-  }
-  static Symbol nothing()
-  {
-    return [](std::ostream&, const Picture_point&) {};
-  }
-
-private:
-  std::vector<std::pair<std::string, Symbol>> entries_;
-};
-
 /// A locus in the plane on the left, its parameters on the right, a legend below.
 class Bisector_picture {
 public:
   Bisector_picture(std::ostream& out, const Locus<2>& locus, const std::vector<Curve_2>& inputs,
-                   std::vector<Curvature_point<2>> marks)
-    : out_(out), locus_(locus), scene_(locus, inputs, std::move(marks)), square_(parameter_square(scene_)),
+                   std::vector<Curvature_point<2>> marks, const std::vector<Exact_point<2>>& points)
+    : out_(out), locus_(locus), scene_(locus, inputs, std::move(marks), points), square_(parameter_square(scene_)),
       has_purged_pair_(has_purged_pair(scene_, square_))
   {
   }
@@ -111,6 +54,7 @@ private:
   {
     if (is_evolute()) return scene_.marks.empty() ? "Evolute of a curve" : "Curvature of a curve, with its evolute";
     const std::string name = (locus_.is_trimmed() ? "True " : "Untrimmed ") + locus_.compute();
+    if (scene_.has_point) return name + " of a point and a curve";
     if (scene_.is_self) return name + " of a curve with itself";
     return name + (scene_.curves.size() == 2 ? " of two curves" : "");
   }
@@ -136,7 +80,7 @@ private:
       const auto n = std::count_if(scene_.marks.begin(), scene_.marks.end(), [&](const auto& p) { return p.kind == mark.kind; });
       if (n > 0) text += " · " + std::to_string(n) + " " + (n == 1 ? mark.short_name : mark.plural);
     }
-    if (!is_evolute()) text += " · " + counted(locus_.statistics().cells, "cell");
+    if (!is_evolute() && !scene_.is_untrimmed()) text += " · " + counted(locus_.statistics().cells, "cell");
     if (locus_.statistics().exact_cells > 0)
       text += ", " + std::to_string(locus_.statistics().exact_cells) + " of them exact";
     return text + " · " + label_of(1e3 * locus_.statistics().seconds, 2) + " ms";
@@ -192,19 +136,29 @@ private:
       key.add("first curve", Picture_legend::line(stroke(picture::input[0], 2.5)));
       key.add("second curve", Picture_legend::line(stroke(picture::input[1], 2.5)));
     }
+    if (!scene_.points.empty()) key.add("the point p", Picture_legend::input_point());
     if (scene_.has_joint(false)) key.add("joint", Picture_legend::joint(false));
     if (scene_.has_joint(true)) key.add("corner", Picture_legend::joint(true));
     const std::size_t count = scene_.components.count, shown = std::min<std::size_t>(count, 4);
     for (std::size_t c = 0; c < shown; ++c)
       key.add(count == 1 ? locus_.compute() : locus_.compute() + ", component " + std::to_string(c + 1),
               Picture_legend::line(stroke(component_colour(c), 2.5)));
+    if (scene_.has_point) add_point(key);
     if (count > shown) key.add("… of " + std::to_string(count), Picture_legend::nothing());
     for (const auto& mark : mark_names())
       if (scene_.has_mark(mark.kind)) key.add(mark.name, Picture_legend::curvature_point(mark.kind));
     if (scene_.foot_curve(1) && !scene_.arcs.empty()) key.add("to the feet", Picture_legend::line(stroke(picture::foot, 0.9)));
-    if (std::any_of(locus_.vertices().begin(), locus_.vertices().end(),
-                    [](const Locus_vertex<2>& v) { return v.asymptote.has_value(); }))
-      key.add("asymptote", Picture_legend::line(stroke(picture::foot, 1.2, picture::dashes)));
+    if (!scene_.asymptotes().empty()) key.add("asymptote", Picture_legend::line(stroke(picture::foot, 1.2, picture::dashes)));
+  }
+
+  void add_point(Picture_legend& key) const
+  {
+    if (scene_.has_arc(Arc_look::at_end))
+      key.add("where the foot is an end or a corner", Picture_legend::line(arc_style(component_colour(0), Arc_look::at_end)));
+    if (scene_.has_untrimmed()) key.add("untrimmed bisector", Picture_legend::line(Point_style::untrimmed()));
+    if (!locus_.regions().empty()) key.add("p is the nearest point of the curve", Picture_legend::square(Point_style::region()));
+    if (scene_.has_cell()) key.add("nearer to p", Picture_legend::square(Point_style::cell()));
+    if (scene_.has_vertex(Vertex_kind::trim)) key.add("to the feet", Picture_legend::line(Point_style::feet()));
   }
 
   void add_vertices(Picture_legend& key) const
@@ -214,9 +168,10 @@ private:
                                                          {Vertex_kind::diagonal, "end on the diagonal"},
                                                          {Vertex_kind::infinity, "to infinity"},
                                                          {Vertex_kind::node, "node"},
+                                                         {Vertex_kind::trim, "nearest feet change"},
                                                          {Vertex_kind::isolated, "isolated point"}};
     for (const auto& [kind, name] : names)
-      if (scene_.has_vertex(kind)) key.add(name, Picture_legend::vertex(kind));
+      if (scene_.has_vertex(kind) && !(scene_.has_point && kind == Vertex_kind::infinity)) key.add(name, Picture_legend::vertex(kind));
   }
 
   void add_cells(Picture_legend& key) const
@@ -232,7 +187,8 @@ private:
       key.add("equation vanishes", Picture_legend::square(filled(picture::degenerate_hatch, picture::degenerate, 0.6)));
     if (has_degenerate(false))
       key.add("degenerate component", Picture_legend::line(stroke(picture::degenerate, 2.2, picture::dashes)));
-    if (!locus_.undecided().empty()) key.add("undecided", cell(picture::undecided_hatch));
+    if (!locus_.undecided().empty())
+      key.add("undecided", scene_.has_point ? Picture_legend::line(Point_style::undecided()) : cell(picture::undecided_hatch));
   }
 
   bool has_degenerate(bool everywhere) const
@@ -255,20 +211,20 @@ private:
 /// with the cells of the subdivision if the result keeps them (`Bisector_options::keep_cells`), of a curve with itself only
 /// the half t ≥ r. Where an input's domain is infinite, each of its pieces is one unit of the square. Connected components
 /// have one colour each. Given the input curves, they and lines to the feet are drawn too. Of an evolute there is the plane
-/// only; points of the curve's curvature may be marked.
+/// only; points of the curve's curvature may be marked. Of a point and a curve there is the plane only, too: with the cell of
+/// what is nearer to the point and, where the result keeps it, the untrimmed bisector behind the true one.
 inline void write_svg(std::ostream& out, const Locus<2>& locus, const std::vector<Curve_2>& inputs = {},
                       const std::vector<Curvature_point<2>>& marks = {}, const std::vector<Exact_point<2>>& points = {})
 {
-  (void)points;
-  detail::Bisector_picture(out, locus, inputs, marks).write();
+  detail::Bisector_picture(out, locus, inputs, marks, points).write();
 }
 
 /// The same into a file. Throws std::runtime_error if it cannot be written.
 inline void write_svg(const std::string& path, const Locus<2>& locus, const std::vector<Curve_2>& inputs = {},
-                      const std::vector<Curvature_point<2>>& marks = {})
+                      const std::vector<Curvature_point<2>>& marks = {}, const std::vector<Exact_point<2>>& points = {})
 {
   std::ofstream out(path, std::ios::binary);
-  if (out) write_svg(out, locus, inputs, marks);
+  if (out) write_svg(out, locus, inputs, marks, points);
   out.close();
   if (!out) throw std::runtime_error("cannot write " + path);
 }

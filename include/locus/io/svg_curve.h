@@ -10,6 +10,40 @@ namespace locus {
 
 namespace detail {
 
+/// Homogeneous coordinates as Bernstein forms in plain doubles, relative to the middle of the picture.
+struct Pictured_forms {
+  std::array<std::vector<double>, 2> numerator;
+  std::vector<double> weight;
+
+  Pictured_forms() = default;
+  Pictured_forms(const std::array<Bernstein<Rational, 1>, 2>& exact_numerator, const Bernstein<Rational, 1>& exact_weight,
+                 const std::array<Rational, 2>& origin)
+  {
+    Rational largest = 0;
+    for (const Rational& w : exact_weight.coefficients()) largest = std::max(largest, Rational(abs(w)));
+    for (const Rational& w : exact_weight.coefficients()) weight.push_back(nearest_double(w / largest));
+    for (std::size_t v = 0; v < 2; ++v) {
+      const Bernstein<Rational, 1> x = subtract(exact_numerator[v], multiply(exact_weight, origin[v]));
+      for (const Rational& c : x.coefficients()) numerator[v].push_back(nearest_double(c / largest));
+    }
+  }
+
+  double weight_at(double s) const { return casteljau(weight, s); }
+  Picture_point at(double s) const
+  {
+    const double w = weight_at(s);
+    return {casteljau(numerator[0], s) / w, casteljau(numerator[1], s) / w};
+  }
+
+private:
+  static double casteljau(std::vector<double> c, double s)
+  {
+    for (std::size_t n = c.size(); n > 1; --n)
+      for (std::size_t i = 0; i + 1 < n; ++i) c[i] += s * (c[i + 1] - c[i]);
+    return c[0];
+  }
+};
+
 /// An input curve in plain doubles, relative to the middle of the picture; good for pictures only. A *place* on it is the
 /// index of a piece plus the local coordinate on it, so that infinite parameters are places like others.
 class Pictured_curve {
@@ -44,6 +78,16 @@ public:
   }
   Picture_point at(double u) const { return at_place(place(u)); }
 
+  /// Points from one parameter to another one.
+  std::vector<Picture_point> between(double u, double v) const
+  {
+    constexpr int steps = 64;
+    const double from = place(u), length = place(v) - from;
+    std::vector<Picture_point> out;
+    for (int i = 0; i <= steps; ++i) out.push_back(at_place(from + length * i / steps));
+    return out;
+  }
+
   /// Is the curve's point infinite at an end of piece k?
   bool is_pole(std::size_t k, bool finish) const { return finish ? spans_[k].pole_at_hi : spans_[k].pole_at_lo; }
 
@@ -58,11 +102,14 @@ public:
     return out;
   }
 
-  /// What of the curve should be seen: all of it, but only a part of pieces that go to infinity.
-  std::vector<Picture_point> essential_points() const
+  /// What of the curve should be seen: all of it, but only a part of pieces that go to infinity; `least`: none of those if
+  /// there are others.
+  std::vector<Picture_point> essential_points(bool least = false) const
   {
     std::vector<Picture_point> out;
+    const bool some_finite = std::any_of(spans_.begin(), spans_.end(), [](const Span& s) { return s.is_finite(); });
     for (const Span& span : spans_) {
+      if (least && some_finite && !span.is_finite()) continue;
       const bool both = span.pole_at_lo && span.pole_at_hi;
       const double margin = both ? 0.25 : 0.5;
       const double lo = span.pole_at_lo ? margin : 0, hi = span.pole_at_hi ? 1 - margin : 1;
@@ -75,9 +122,9 @@ private:
   struct Span {
     double lo = 0, hi = 1;
     bool pole_at_lo = false, pole_at_hi = false;
-    std::array<std::vector<double>, 2> numerator;
-    std::vector<double> weight;
+    Pictured_forms forms;
 
+    bool is_finite() const { return !pole_at_lo && !pole_at_hi; }
     double local(double u) const
     {
       double s = 0;
@@ -86,11 +133,7 @@ private:
       else s = (u - lo) / (hi - lo);
       return std::min(1.0, std::max(0.0, s));
     }
-    Picture_point at(double s) const
-    {
-      const double w = casteljau(weight, s);
-      return {casteljau(numerator[0], s) / w, casteljau(numerator[1], s) / w};
-    }
+    Picture_point at(double s) const { return forms.at(s); }
   };
 
   static Span span_of(const Curve_piece<2>& piece, const Piece& range, const std::array<Rational, 2>& origin)
@@ -102,21 +145,8 @@ private:
     const std::vector<Rational>& weight = piece.weight.coefficients();
     span.pole_at_lo = weight.front() == 0;
     span.pole_at_hi = weight.back() == 0;
-    Rational largest = 0;
-    for (const Rational& w : weight) largest = std::max(largest, Rational(abs(w)));
-    for (const Rational& w : weight) span.weight.push_back(nearest_double(w / largest));
-    for (std::size_t v = 0; v < 2; ++v) {
-      const Bernstein<Rational, 1> x = subtract(piece.numerator[v], multiply(piece.weight, origin[v]));
-      for (const Rational& c : x.coefficients()) span.numerator[v].push_back(nearest_double(c / largest));
-    }
+    span.forms = Pictured_forms(piece.numerator, piece.weight, origin);
     return span;
-  }
-
-  static double casteljau(std::vector<double> c, double s)
-  {
-    for (std::size_t n = c.size(); n > 1; --n)
-      for (std::size_t i = 0; i + 1 < n; ++i) c[i] += s * (c[i + 1] - c[i]);
-    return c[0];
   }
 
   /// Local coordinates: evenly, and towards a pole in ever smaller steps. The start only where no piece ended there.

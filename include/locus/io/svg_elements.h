@@ -24,6 +24,14 @@ struct Picture_point {
   bool is_finite() const { return std::isfinite(x) && std::isfinite(y); }
 };
 
+inline double distance_to_segment(const Picture_point& at, const Picture_point& p, const Picture_point& q)
+{
+  const double dx = q.x - p.x, dy = q.y - p.y, square = dx * dx + dy * dy;
+  const double share = square > 0 ? ((at.x - p.x) * dx + (at.y - p.y) * dy) / square : 0;
+  const double nearest = std::min(1.0, std::max(0.0, share));
+  return std::hypot(at.x - p.x - nearest * dx, at.y - p.y - nearest * dy);
+}
+
 struct Picture_box {
   double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
 
@@ -96,6 +104,8 @@ inline constexpr std::array<const char*, 8> component{"#e4572e", "#1b998b", "#8f
 inline constexpr const char* empty_cell = "#f4f5f7";
 inline constexpr const char* graph_cell = "#dfeaf6";
 inline constexpr const char* crossing_cell = "#ffd9a8";
+inline constexpr const char* point_cell = "#f7ebf1";
+inline constexpr const char* untrimmed = "#d18e74";
 inline constexpr const char* undecided_hatch = "url(#hatch)";
 inline constexpr const char* degenerate_hatch = "url(#degenerate-hatch)";
 inline constexpr const char* dashes = " stroke-dasharray=\"7 5\"";

@@ -2,27 +2,43 @@
 #ifndef LOCUS_IO_SVG_PLANE_H
 #define LOCUS_IO_SVG_PLANE_H
 
-#include <locus/io/picked_parameter.h>
-#include <locus/io/svg_marks.h>
-#include <locus/io/svg_scene.h>
+#include <locus/io/svg_point.h>
 
 namespace locus {
 
 namespace detail {
 
-/// The inputs and what of the locus is near them, in a box of the given width : height.
-inline Picture_box plane_box(const Picture_scene& scene, double aspect)
+/// The inputs; of a point's bisector also trim vertices and their feet that are not far away.
+inline Picture_box essential_box(const Picture_scene& scene)
 {
   Picture_box box;
   for (const Pictured_curve& curve : scene.curves)
-    for (const Picture_point& p : curve.essential_points()) box.add(p);
+    for (const Picture_point& p : curve.essential_points(scene.has_point)) box.add(p);
+  for (const Picture_point& p : scene.points) box.add(p);
+  if (box.empty() || !scene.has_point) return box;
+  Picture_box limit = box;
+  limit.grow(1.2 * box.size());
+  for (const Locus_vertex<2>& v : scene.locus.vertices()) {
+    if (!v.point || !limit.contains(scene.placed(*v.point))) continue;
+    box.add(scene.placed(*v.point));
+    for (const Foot& foot : v.feet)
+      if (const auto p = scene.point_of(foot); p && limit.contains(*p)) box.add(*p);
+  }
+  return box;
+}
+
+/// The inputs and what of the locus is near them, in a box of the given width : height.
+inline Picture_box plane_box(const Picture_scene& scene, double aspect)
+{
+  Picture_box box = essential_box(scene);
   if (box.empty() || !(box.size() > 0)) {
     const double r = 0.35 * scene.locus.scale();
     box.add({-r, -r});
     box.add({r, r});
   }
   Picture_box limit = box;
-  limit.grow((scene.locus.compute() == "evolute" ? 0.3 : 0.6) * box.size());
+  const bool is_narrow = scene.locus.compute() == "evolute" || scene.is_true();
+  limit.grow((is_narrow ? 0.3 : scene.has_point ? 0.8 : 0.6) * box.size());
   for (const Picture_scene::Drawn_arc& arc : scene.arcs)
     for (std::size_t i = 1; i < arc.plane.size(); ++i) {
       Picture_point p = arc.plane[i - 1], q = arc.plane[i];
@@ -30,7 +46,7 @@ inline Picture_box plane_box(const Picture_scene& scene, double aspect)
       box.add(p);
       box.add(q);
     }
-  box.grow(0.15 * box.size(), 0.08 * box.size()); // room for labels
+  box.grow(0.15 * box.size(), (scene.has_point ? 0.15 : 0.08) * box.size()); // room for labels
   const double wanted = std::max(box.width(), box.height() * aspect);
   box.grow(0.5 * (wanted - box.width()), 0.5 * (wanted / aspect - box.height()));
   return box;
@@ -44,16 +60,18 @@ public:
   void write()
   {
     out_ << "<g clip-path=\"url(#clip-" << panel_.name() << ")\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-    for (const Locus_vertex<2>& v : scene_.locus.vertices())
-      if (v.asymptote) write_asymptote(*v.asymptote);
-    if (scene_.foot_curve(1)) write_feet();
+    Point_drawing point(out_, scene_, panel_);
+    if (scene_.has_point) point.write_cell();
+    for (const Asymptote<2>& asymptote : scene_.asymptotes()) write_asymptote(asymptote);
+    if (scene_.has_point) point.write_behind();
+    else if (scene_.foot_curve(1)) write_feet();
     for (std::size_t k = 0; k < scene_.curves.size(); ++k) write_curve(k);
-    for (std::size_t a = 0; a < scene_.arcs.size(); ++a)
-      svg_path(out_, panel_.path(scene_.arcs[a].plane), stroke(component_colour(scene_.components.of_arc[a]), 2.5));
+    for (std::size_t a = 0; a < scene_.arcs.size(); ++a) write_arc(a);
     write_vertices();
     write_marks();
     out_ << "</g>\n";
     for (std::size_t k = 0; k < scene_.curves.size(); ++k) write_ends(k);
+    point.write_points();
     svg_frame(out_, panel_);
     write_scale();
   }
@@ -67,6 +85,12 @@ private:
     const Picture_point p = scene_.placed(asymptote.point), d{asymptote.direction[0], asymptote.direction[1]};
     svg_path(out_, panel_.path({{p.x - far * d.x, p.y - far * d.y}, {p.x + far * d.x, p.y + far * d.y}}),
              stroke(picture::foot, 1.2, picture::dashes));
+  }
+
+  void write_arc(std::size_t a)
+  {
+    const Picture_scene::Drawn_arc& arc = scene_.arcs[a];
+    svg_path(out_, panel_.path(arc.plane), arc_style(component_colour(scene_.components.of_arc[a]), arc.look));
   }
 
   /// Length in pixels between two samples that are both visible, else 0.

@@ -99,9 +99,9 @@ private:
     double g = 0, gu = 0, gv = 0, guv = 0, gvv = 0;
   };
 
-  Value value(const Requirement& r, double u, double v)
+  Value value(const Vector_tree& a_tree, const Vector_tree& b_tree, double u, double v)
   {
-    const Enclosed_vector &a = r.a->node(0).f, &b = r.b->node(0).f;
+    const Enclosed_vector &a = a_tree.node(0).f, &b = b_tree.node(0).f;
     Value sum;
     for (std::size_t k = 0; k < a.rank(); ++k) {
       const auto x = value_and_slopes(a.component(k), a.degree(), u, scratch_), y = value_and_slopes(b.component(k), b.degree(), v, scratch_);
@@ -114,30 +114,44 @@ private:
     return sum;
   }
 
+  /// Where a requirement is worst at u, about: by its Bernstein coefficients in v.
+  struct Worst {
+    const Requirement* requirement = nullptr;
+    double v = 0, coefficient = 0;
+  };
+
+  Worst worst_at(const std::vector<Open_requirement>& open, double u)
+  {
+    Worst worst;
+    const Vector_tree* known = nullptr;
+    Enclosed_vector a;
+    for (const Open_requirement& o : open) {
+      const Requirement& r = requirements_[o.requirement];
+      const auto& node = r.b->node(o.node);
+      if (r.a.get() != known) {
+        known = r.a.get();
+        a = known->node(0).f.at(u);
+      }
+      table_.make(a, node.f);
+      for (std::size_t j = 0; j < table_.columns; ++j)
+        if (!worst.requirement || table_.c[j] < worst.coefficient) {
+          const double at = table_.columns == 1 ? 0.5 : static_cast<double>(j) / static_cast<double>(table_.columns - 1);
+          worst = {&r, node.lo + at * (node.hi - node.lo), table_.c[j]};
+        }
+    }
+    return worst;
+  }
+
   /// Where g(u, v) = 0 = ∂g/∂v, or g(u, v) = 0 at an end of v's interval, from the worst place at the infeasible end on.
   std::optional<double> guessed(const Feasible_end& end, int side)
   {
-    constexpr int places = 8;
-    double worst = 0, v = 0;
-    const double bad = side == 0 ? end.lo : end.hi;
-    const Requirement* binding = nullptr;
-    for (const Open_requirement& o : end.open) {
-      const Requirement& r = requirements_[o.requirement];
-      const auto& node = r.b->node(o.node);
-      for (int k = 0; k <= places; ++k) {
-        const double at = node.lo + (node.hi - node.lo) * k / places;
-        const double g = value(r, bad, at).g;
-        if (!binding || g < worst) {
-          binding = &r;
-          worst = g;
-          v = at;
-        }
-      }
-    }
+    const auto [binding, start, coefficient] = worst_at(end.open, side == 0 ? end.lo : end.hi);
     if (!binding) return std::nullopt;
-    double u = 0.5 * (end.lo + end.hi);
+    const bool apart = binding->apart_a && (start < end.lo || start > end.hi);
+    const Vector_tree &a = apart ? *binding->apart_a : *binding->a, &b = apart ? *binding->apart_b : *binding->b;
+    double u = 0.5 * (end.lo + end.hi), v = start, last = std::numeric_limits<double>::infinity();
     for (int step = 0; step < 30; ++step) {
-      const Value x = value(*binding, u, v);
+      const Value x = value(a, b, u, v);
       const bool at_end = (v <= 0 && x.gv > 0) || (v >= 1 && x.gv < 0);
       double du = 0, dv = 0;
       if (at_end || x.gvv == 0) {
@@ -150,13 +164,16 @@ private:
       if (!std::isfinite(du) || !std::isfinite(dv)) return std::nullopt;
       u = std::min(end.hi, std::max(end.lo, u + du));
       v = std::min(1.0, std::max(0.0, v + dv));
-      if (std::abs(du) <= operation_error && std::abs(dv) <= 0x1p-40) break;
+      const double moved = std::max(std::abs(du), std::abs(dv));
+      if (moved <= 0x1p-50 || (moved < 0x1p-30 && moved >= last)) break;
+      last = moved;
     }
     return u;
   }
 
   const std::vector<Requirement>& requirements_;
   Requirement_signs signs_;
+  Product_table table_;
   std::vector<double> scratch_;
 };
 

@@ -27,9 +27,9 @@ public:
   void add(const Requirement& requirement)
   {
     for (const Requirement& r : known_)
-      if (r.a == requirement.a && r.b == requirement.b) return;
+      if (r.a == requirement.a && r.b == requirement.b && r.rest == requirement.rest) return;
     known_.push_back(requirement);
-    const Bernstein<Scaled_integer, 2> g(product(requirement.a->exact(), requirement.b->exact()));
+    const Bernstein<Scaled_integer, 2> g(form_of(requirement));
     if (g.is_zero()) return;
     for (const Repeated_factor& factor : square_free_factors(bivariate_form(g))) add_factor(factor.f);
     for (const bool high : {false, true}) include(monomial_form(face(g, 1, high)));
@@ -53,14 +53,6 @@ public:
   }
 
 private:
-  static Bernstein<Rational, 2> product(const Vector_form& a, const Vector_form& b)
-  {
-    Bernstein<Rational, 2> g(Degrees<2>{a[0].degree(), b[0].degree()});
-    for (int i = 0; i <= g.degree(0); ++i)
-      for (int j = 0; j <= g.degree(1); ++j) g.at({i, j}) = dot_at(a, static_cast<std::size_t>(i), b, static_cast<std::size_t>(j));
-    return g;
-  }
-
   void add_factor(const Bivariate_polynomial& f)
   {
     if (f.degree_y() < 1) {

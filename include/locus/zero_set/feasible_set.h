@@ -3,6 +3,7 @@
 #define LOCUS_ZERO_SET_FEASIBLE_SET_H
 
 #include <locus/zero_set/feasible_end.h>
+#include <locus/zero_set/root_enclosure.h>
 #include <locus/zero_set/solve_control.h>
 
 #include <array>
@@ -32,8 +33,9 @@ public:
     : requirements_(requirements), control_(control), signs_(requirements, result_.filter), refiner_(requirements, result_.filter)
   {
     for (const Requirement& r : requirements_) {
-      family_of(r.a.get());
+      family_.push_back(family_of(r.a.get()));
       corners_.push_back(r.corners);
+      group_.push_back(r.square ? group_of({family_.back(), family_of(r.rest.get()), family_of(r.square.get())}) : 0);
     }
   }
 
@@ -48,9 +50,11 @@ public:
       next.clear();
       std::vector<Cell> stuck;
       // Many open cells side by side: requirements that vanish along a curve.
-      const bool give_up = depth >= deepest || level.size() > most_open || result_.cells > control_.max_cells || control_.is_cancelled();
+      const bool give_up = depth >= (groups_.empty() ? deepest : deepest_rooted) || level.size() > most_open || result_.cells > control_.max_cells || control_.is_cancelled();
       for (Cell& cell : level) treat(cell, depth, give_up ? &stuck : nullptr, next);
-      if (!stuck.empty()) by_algebra(stuck);
+      if (control_.is_cancelled())
+        for (const Cell& cell : stuck) result_.undecided.push_back({cell.lo, cell.hi});
+      else if (!stuck.empty()) by_algebra(stuck);
       level.swap(next);
     }
     merge();
@@ -59,13 +63,22 @@ public:
 
 private:
   static constexpr int deepest = 30;
+  static constexpr int deepest_rooted = 22; ///< double zeros drown in the root's error below
   static constexpr std::size_t most_open = 100;
+
+  /// √square·a + rest on a cell, by a polynomial q near the root: `middle` is q·a + rest, `a` is written with its degree.
+  struct Rooted {
+    Enclosed_vector middle, a;
+    std::optional<Root_enclosure> root;
+    std::optional<std::array<Vector_form, 2>> exact; ///< of both
+  };
 
   struct Cell {
     double lo = 0, hi = 1;
     std::vector<Enclosed_vector> a; ///< of each family
     std::vector<Open_requirement> open;
     std::vector<std::optional<Vector_form>> exact;
+    std::vector<std::optional<Rooted>> rooted; ///< of each group
 
     double width() const { return hi - lo; }
   };
@@ -74,14 +87,21 @@ private:
 
   std::size_t family_of(Vector_tree* a)
   {
-    for (std::size_t k = 0; k < families_.size(); ++k)
-      if (families_[k] == a) {
-        family_.push_back(k);
-        return k;
-      }
+    const auto found = std::find(families_.begin(), families_.end(), a);
+    if (found != families_.end()) return static_cast<std::size_t>(found - families_.begin());
     families_.push_back(a);
-    family_.push_back(families_.size() - 1);
-    return family_.back();
+    return families_.size() - 1;
+  }
+
+  /// Families of a, rest and square that go together.
+  using Group = std::array<std::size_t, 3>;
+
+  std::size_t group_of(const Group& group)
+  {
+    const auto found = std::find(groups_.begin(), groups_.end(), group);
+    if (found != groups_.end()) return static_cast<std::size_t>(found - groups_.begin());
+    groups_.push_back(group);
+    return groups_.size() - 1;
   }
 
   // ------------------------------------------------------------------------------------------------------------ cells
@@ -148,6 +168,7 @@ private:
   Outcome examine(Cell& cell, Open_requirement& r, int depth)
   {
     const Requirement& requirement = requirements_[r.requirement];
+    if (requirement.square) return examine_rooted(cell, r, depth);
     const auto& node = requirement.b->node(r.node);
     table_.make(cell.a[family_[r.requirement]], node.f);
     const Position position{r.requirement, {cell.lo == 0, cell.hi == 1}, {node.lo == 0, node.hi == 1}};
@@ -159,7 +180,7 @@ private:
       const Sign s = sign_of(table_.at(i + 1, j) - table_.at(i, j), 2 * table_.error * (1 + 4 * operation_error) + operation_error * std::abs(table_.at(i, j)));
       return is_certain(s) || !(is_known_zero(position, i, j) && is_known_zero(position, i + 1, j)) ? s : Sign::zero;
     };
-    auto [outcome, unknown] = judge(sign, rise, r.slope);
+    auto [outcome, unknown] = judge(sign, sign, rise, r.slope);
     result_.filter.record(Rung::bounded, !unknown);
     if (outcome == Outcome::open && unknown && depth >= exact_from) {
       result_.filter.record(Rung::exact, true);
@@ -167,8 +188,8 @@ private:
       std::vector<Rational> c(table_.rows * table_.columns);
       for (std::size_t i = 0; i < table_.rows; ++i)
         for (std::size_t j = 0; j < table_.columns; ++j) c[i * table_.columns + j] = dot_at(a, i, b, j);
-      outcome = judge([&](std::size_t i, std::size_t j) { return sign_of_int(sgn(c[i * table_.columns + j])); },
-                      [&](std::size_t i, std::size_t j) { return sign_of_int(cmp(c[(i + 1) * table_.columns + j], c[i * table_.columns + j])); }, r.slope)
+      const auto exact_sign = [&](std::size_t i, std::size_t j) { return sign_of_int(sgn(c[i * table_.columns + j])); };
+      outcome = judge(exact_sign, exact_sign, [&](std::size_t i, std::size_t j) { return sign_of_int(cmp(c[(i + 1) * table_.columns + j], c[i * table_.columns + j])); }, r.slope)
                   .first;
     }
     return outcome;
@@ -177,13 +198,105 @@ private:
   /// Exact coefficients are formed in cells narrower than 2^-`exact_from`: before, halving is cheaper.
   static constexpr int exact_from = 6;
 
-  /// With whether exact signs might say more.
-  template <class Sign_at, class Rise_at>
-  std::pair<Outcome, bool> judge(Sign_at sign, Rise_at rise, int& slope)
+  /// The same with a root, which lies between q - e and q + e.
+  Outcome examine_rooted(Cell& cell, Open_requirement& r, int depth)
+  {
+    const Requirement& requirement = requirements_[r.requirement];
+    const auto& node = requirement.b->node(r.node);
+    Rooted& rooted = rooted_on(cell, group_[r.requirement]);
+    r.slope = 0;
+    if (!rooted.root) return Outcome::open;
+    const double e = rooted.root->error;
+    table_.make(rooted.middle, node.f);
+    size_.make(rooted.a, node.f);
+    double greatest = 0, steepest = 0;
+    for (const double x : size_.c) greatest = std::max(greatest, std::abs(x));
+    for (std::size_t k = 0; k + size_.columns < size_.c.size(); ++k) steepest = std::max(steepest, std::abs(size_.c[k + size_.columns] - size_.c[k]));
+    // The derivative of (root - q)·a·b, as a difference of neighbouring coefficients.
+    const double rise_error = (rooted.root->slope_error * (greatest + size_.error) / std::max(1.0, static_cast<double>(table_.rows) - 1) +
+                               e * (steepest + 2 * size_.error)) * (1 + 16 * operation_error);
+    const Position position{r.requirement, {cell.lo == 0, cell.hi == 1}, {node.lo == 0, node.hi == 1}};
+    const auto sign = [&](double shift) {
+      return [&, shift](std::size_t i, std::size_t j) {
+        const double middle = table_.at(i, j), more = shift * size_.at(i, j);
+        const Sign s = sign_of(middle + more, (table_.error + e * size_.error + 2 * operation_error * (std::abs(middle) + 2 * std::abs(more))) * (1 + 8 * operation_error));
+        return is_certain(s) || !is_known_zero(position, i, j) ? s : Sign::zero;
+      };
+    };
+    bool slope_unknown = false;
+    const auto rise = [&](std::size_t i, std::size_t j) {
+      const Sign s = sign_of(table_.at(i + 1, j) - table_.at(i, j), (2 * table_.error + rise_error + operation_error * std::abs(table_.at(i, j))) * (1 + 8 * operation_error));
+      slope_unknown = slope_unknown || !is_certain(s);
+      return is_certain(s) ? s : Sign::zero;
+    };
+    auto [outcome, unknown] = judge(sign(-e), sign(e), rise, r.slope);
+    if (slope_unknown) r.slope = 0;
+    result_.filter.record(Rung::bounded, !unknown);
+    // Exact coefficients tell more only where the root is known better than they are.
+    if (outcome != Outcome::open || !unknown || depth < exact_from || !(64 * e * greatest < table_.error)) return outcome;
+    result_.filter.record(Rung::exact, true);
+    const auto& [middle, a] = exact_rooted_on(cell, group_[r.requirement]);
+    const Vector_form& b = requirement.b->exact_on(r.node);
+    std::vector<Rational> c(table_.c.size()), size(table_.c.size());
+    for (std::size_t i = 0; i < table_.rows; ++i)
+      for (std::size_t j = 0; j < table_.columns; ++j) {
+        c[i * table_.columns + j] = dot_at(middle, i, b, j);
+        size[i * table_.columns + j] = dot_at(a, i, b, j);
+      }
+    const Rational error(e);
+    const auto exact_sign = [&](int side) {
+      return [&, side](std::size_t i, std::size_t j) {
+        const std::size_t k = i * table_.columns + j;
+        return sign_of(Rational(c[k] + side * error * size[k]));
+      };
+    };
+    const auto exact_rise = [&, slack = Rational(rise_error)](std::size_t i, std::size_t j) {
+      const Rational x = c[(i + 1) * table_.columns + j] - c[i * table_.columns + j];
+      slope_unknown = slope_unknown || abs(x) < slack;
+      return sign_of(x);
+    };
+    slope_unknown = false;
+    outcome = judge(exact_sign(-1), exact_sign(1), exact_rise, r.slope).first;
+    if (slope_unknown) r.slope = 0;
+    return outcome;
+  }
+
+  Rooted& rooted_on(Cell& cell, std::size_t group)
+  {
+    cell.rooted.resize(groups_.size());
+    auto& rooted = cell.rooted[group];
+    if (rooted) return *rooted;
+    rooted.emplace();
+    const auto [a, rest, square] = groups_[group];
+    rooted->root = root_enclosure(cell.a[square]);
+    if (!rooted->root) return *rooted;
+    rooted->middle = combined(Bernstein<Bounded, 1>(rooted->root->near, 0), cell.a[a], cell.a[rest]);
+    rooted->a = elevated(cell.a[a], rooted->root->near.degree());
+    return *rooted;
+  }
+
+  const std::array<Vector_form, 2>& exact_rooted_on(Cell& cell, std::size_t group)
+  {
+    auto& exact = cell.rooted[group]->exact;
+    if (exact) return *exact;
+    const auto near = converted<Rational>(cell.rooted[group]->root->near, [](double x) { return Rational(x); });
+    const Vector_form &a = exact_on(cell, groups_[group][0]), &rest = exact_on(cell, groups_[group][1]);
+    exact.emplace();
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      (*exact)[0].push_back(add(multiply(near, a[k]), rest[k]));
+      (*exact)[1].push_back(elevate(a[k], 0, near.degree()));
+    }
+    return *exact;
+  }
+
+  /// From signs of coefficients: `low` of what is nowhere above the requirement's, `high` of what is nowhere below; for a plain
+  /// one both are its own. With whether exact signs might say more.
+  template <class Low_at, class High_at, class Rise_at>
+  std::pair<Outcome, bool> judge(Low_at low, High_at high, Rise_at rise, int& slope)
   {
     bool any_negative = false, any_unknown = false;
     for (std::size_t k = 0; k < table_.c.size(); ++k) {
-      const Sign s = sign(k / table_.columns, k % table_.columns);
+      const Sign s = low(k / table_.columns, k % table_.columns);
       any_negative = any_negative || s == Sign::negative;
       any_unknown = any_unknown || s == Sign::unknown;
     }
@@ -192,7 +305,7 @@ private:
     for (const std::size_t j : {std::size_t{0}, table_.columns - 1}) {
       bool negative = true, possible = true;
       for (std::size_t i = 0; i < table_.rows; ++i) {
-        const Sign s = sign(i, j);
+        const Sign s = high(i, j);
         negative = negative && s == Sign::negative;
         possible = possible && (s == Sign::negative || s == Sign::unknown);
       }
@@ -230,7 +343,7 @@ private:
   {
     auto& known = corners_[requirement][2 * end_u + end_v];
     const Requirement& r = requirements_[requirement];
-    if (!known) known = corner_zeros(r.a->exact(), r.b->exact(), static_cast<int>(end_u), static_cast<int>(end_v));
+    if (!known) known = corner_zeros(r, static_cast<int>(end_u), static_cast<int>(end_v));
     return *known;
   }
 
@@ -332,8 +445,9 @@ private:
     }
   }
 
-  void by_algebra(double lo, double hi, const std::vector<Open_requirement>& open)
+  void by_algebra(double lo, double hi, const std::vector<Open_requirement>& parts)
   {
+    const std::vector<Open_requirement> open = without_parts(parts);
     ++result_.algebraic_cells;
     Event_polynomials events;
     for (const Open_requirement& r : open) events.add(requirements_[r.requirement]);
@@ -362,6 +476,18 @@ private:
       }
       was_feasible = is_feasible;
     }
+  }
+
+  /// Each requirement once: on all of v where several parts are open.
+  static std::vector<Open_requirement> without_parts(const std::vector<Open_requirement>& parts)
+  {
+    std::vector<Open_requirement> open;
+    for (const Open_requirement& r : parts) {
+      const auto same = std::find_if(open.begin(), open.end(), [&](const Open_requirement& o) { return o.requirement == r.requirement; });
+      if (same == open.end()) open.push_back(r);
+      else if (same->node != r.node) *same = {r.requirement, 0, 0};
+    }
+    return open;
   }
 
   bool holds_at(const std::vector<Open_requirement>& open, const Rational& u)
@@ -405,9 +531,10 @@ private:
   Requirement_signs signs_;
   Feasible_end_refiner refiner_;
   std::vector<Vector_tree*> families_;
-  std::vector<std::size_t> family_;
+  std::vector<std::size_t> family_, group_; ///< of each requirement
+  std::vector<Group> groups_;
   std::vector<std::array<std::optional<Corner_zeros>, 4>> corners_;
-  Product_table table_;
+  Product_table table_, size_;
   std::vector<Found> found_;
 };
 

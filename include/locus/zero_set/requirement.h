@@ -88,12 +88,15 @@ struct Corner_zeros {
 };
 
 /// a(u)·b(v) ≥ 0 for all v of the unit interval is required of u. Several requirements may share a and b.
+/// With a `square`, of one component, and a `rest`, of a's rank and degree, it is √square(u)·a(u)·b(v) + rest(u)·b(v) ≥ 0; then
+/// the square is positive on the unit interval, and a(u)·b(v) nowhere negative on the unit square.
 struct Requirement {
   std::shared_ptr<Vector_tree> a, b;
   /// What is known beforehand of corners of the unit square, index 2·(u end) + (v end).
   std::array<std::optional<Corner_zeros>, 4> corners{};
   /// Another product, (u - v)² times this one, if there is one that is enclosed more closely.
   std::shared_ptr<Vector_tree> apart_a{}, apart_b{};
+  std::shared_ptr<Vector_tree> square{}, rest{};
 };
 
 namespace detail {
@@ -125,6 +128,45 @@ inline Corner_zeros corner_zeros(const Vector_form& a, const Vector_form& b, int
   z.next_u = n > 0 && dot_at(a, end_u ? n - 1 : 1, b, j) == 0;
   z.next_v = m > 0 && dot_at(a, i, b, end_v ? m - 1 : 1) == 0;
   return z;
+}
+
+/// a(u)·b(v).
+inline Bernstein<Rational, 2> product_of(const Vector_form& a, const Vector_form& b)
+{
+  Bernstein<Rational, 2> g(Degrees<2>{a[0].degree(), b[0].degree()});
+  for (int i = 0; i <= g.degree(0); ++i)
+    for (int j = 0; j <= g.degree(1); ++j) g.at({i, j}) = dot_at(a, static_cast<std::size_t>(i), b, static_cast<std::size_t>(j));
+  return g;
+}
+
+/// What is required to be ≥ 0; with a root, times the same expression with -√: it vanishes wherever the requirement's own does.
+inline Bernstein<Rational, 2> form_of(const Requirement& r)
+{
+  const Bernstein<Rational, 2> g = product_of(r.a->exact(), r.b->exact());
+  if (!r.square) return g;
+  const Bernstein<Rational, 1>& s = r.square->exact()[0];
+  const Bernstein<Rational, 2> square(Degrees<2>{s.degree(), 0}, s.coefficients()), rest = product_of(r.rest->exact(), r.b->exact());
+  return subtract(multiply(square, multiply(g, g)), multiply(rest, rest));
+}
+
+inline Corner_zeros corner_zeros(const Requirement& r, int end_u, int end_v)
+{
+  Corner_zeros z = corner_zeros(r.a->exact(), r.b->exact(), end_u, end_v);
+  if (!r.square) return z;
+  const Corner_zeros rest = corner_zeros(r.rest->exact(), r.b->exact(), end_u, end_v);
+  return {z.here && rest.here, z.next_u && rest.next_u, z.next_v && rest.next_v};
+}
+
+/// What stands before b(v) at a double u. Holds in any rounding mode.
+inline Enclosed_vector factor_at(const Requirement& r, double u)
+{
+  Enclosed_vector a = r.a->node(0).f.at(u);
+  if (!r.square) return a;
+  const Enclosed_vector square = r.square->node(0).f.at(u);
+  const double s = square.component(0)[0];
+  if (!(s > square.error())) return {a.rank(), 0, std::vector<double>(a.rank(), 0.0), std::numeric_limits<double>::infinity()};
+  const double root = std::sqrt(s), error = (square.error() / root + operation_error * root) * (1 + 8 * operation_error);
+  return combined(Bernstein<Bounded, 1>(Bernstein<double, 1>(Degrees<1>{0}, {root}), error), a, r.rest->node(0).f.at(u));
 }
 
 } // namespace detail

@@ -3,6 +3,7 @@
 #define LOCUS_ZERO_SET_REQUIREMENT_SIGNS_H
 
 #include <locus/number/filter_counts.h>
+#include <locus/zero_set/least_root_sign.h>
 #include <locus/zero_set/requirement.h>
 
 namespace locus {
@@ -58,7 +59,7 @@ public:
   {
     const Requirement& requirement = requirements_[r.requirement];
     const Vector_tree::Node& node = requirement.b->node(r.node);
-    table_.make(requirement.a->node(0).f.at(u), node.f);
+    table_.make(detail::factor_at(requirement, u), node.f);
     const auto by_convexity = sign_if_convex(requirement, node, u);
     Sign s = by_convexity.value_or(Sign::unknown);
     if (!by_convexity) {
@@ -73,6 +74,11 @@ public:
   {
     const Requirement& requirement = requirements_[r.requirement];
     counts_.record(Rung::exact, true);
+    if (requirement.square) {
+      const Vector_form& b = requirement.b->exact_on(r.node);
+      return least_root_sign(evaluate_at(requirement.square->exact()[0], u), detail::product_at(requirement.a->exact(), u, b),
+                             detail::product_at(requirement.rest->exact(), u, b));
+    }
     return least_sign(detail::product_at(requirement.a->exact(), u, requirement.b->exact_on(r.node)));
   }
 
@@ -133,7 +139,7 @@ private:
   std::optional<Interval> close_value(const Requirement& requirement, double u, double v)
   {
     const bool apart = requirement.apart_a != nullptr;
-    if (apart && u == v) return std::nullopt;
+    if (requirement.square || (apart && u == v)) return std::nullopt;
     const auto a = (apart ? requirement.apart_a : requirement.a)->fresh_at(u), b = (apart ? requirement.apart_b : requirement.b)->fresh_at(v);
     if (!a || !b) return std::nullopt;
     Interval sum(0);
