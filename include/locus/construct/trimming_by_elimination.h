@@ -3,6 +3,7 @@
 #define LOCUS_CONSTRUCT_TRIMMING_BY_ELIMINATION_H
 
 #include <locus/construct/self_intersections.h>
+#include <locus/function/enclosed_vector.h>
 #include <locus/shape/parent_curve.h>
 #include <locus/zero_set/least_sign.h>
 
