@@ -4,6 +4,9 @@
 #include "side_by_side.h"
 
 #include "plain_curve.h"
+
+#include <locus/bisector_2.h>
+
 #if LOCUS_HAS_OCCT
 #include "peer_occt_point.h"
 #endif
@@ -98,10 +101,22 @@ Contestant occt(const std::string& name, const Problem& problem, const std::vect
 }
 #endif
 
+/// The whole true bisector, certified, with its points spread over all arcs.
+Contestant locus_contestant(const Problem& problem)
+{
+  return {"locus, certified",
+          [&problem] { keep(locus::bisector(problem.point, problem.curve.curve())); },
+          [&problem] {
+            const auto bisector = locus::bisector(problem.point, problem.curve.curve());
+            const std::size_t each = std::max<std::size_t>(2, points_an_arc / bisector.arcs().size());
+            for (const auto& arc : bisector.arcs()) keep(arc.samples(each));
+          }};
+}
+
 /// One entry for each pair of columns; the same names for every problem. The problem has to outlive them.
 std::vector<Contestant> contestants([[maybe_unused]] const Problem& problem)
 {
-  std::vector<Contestant> all;
+  std::vector<Contestant> all{locus_contestant(problem)};
 #if LOCUS_HAS_OCCT
   all.push_back(occt("OCCT, better side", problem, {better_side(problem)}));
   all.push_back(occt("OCCT, both sides", problem, {1, -1}));
@@ -136,7 +151,9 @@ void print_times(const Problem& problem, const std::vector<Contestant>& all)
     jobs.push_back(c.construct_and_sample);
   }
   print_name(problem.name);
-  for (const auto& t : locus_benchmark::side_by_side(jobs, 11, 0.02)) std::printf(" %11.1f", 1e6 * t.median);
+  const auto times = locus_benchmark::side_by_side(jobs, 11, 0.02);
+  for (const auto& t : times) std::printf(" %11.1f", 1e6 * t.median);
+  if (times.size() == 6) std::printf("  %6.1f %6.1f", times[0].median / times[4].median, times[1].median / times[5].median);
   std::printf("\n");
 }
 
@@ -162,7 +179,9 @@ int main()
 {
   const std::vector<Problem> all = problems();
   std::printf("Bisectors of a point and a plane curve: processor time of one job in µs, median of the rounds,\n");
-  std::printf("of the construction alone and with %d points on every arc\n", points_an_arc);
+  std::printf("of the construction alone and with %d points: on either side of OCCT's, on the whole bisector of locus; last the ratios\n"
+              "of locus to OCCT's both sides\n",
+              points_an_arc);
   print_head(contestants(all.front()));
   for (const Problem& problem : all) print_times(problem, contestants(problem));
 #if LOCUS_HAS_OCCT

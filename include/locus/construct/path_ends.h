@@ -16,7 +16,16 @@ public:
 
   explicit Path_ends(const Path_work<Dim>& work) : work_(work) {}
 
-  /// |p - c·w|² - R²·w², positive where the curve is outside the cut radius; exact, since near two poles it is tiny.
+  /// |p - c·w|² - R²·w², positive where the curve is outside the cut radius, from what is enclosed of it.
+  Bernstein<Interval, 1> enclosed_outside_form(std::size_t i) const
+  {
+    const auto& piece = work_.pieces[i];
+    Bernstein<Interval, 1> sum = multiply(multiply(piece.weight, piece.weight), -CGAL::square(Interval(work_.cut_radius)));
+    for (const auto& x : piece.numerator) sum = add(sum, multiply(x, x));
+    return sum;
+  }
+
+  /// The same exactly: near two poles it is tiny.
   Bernstein<Rational, 1> outside_form(const Curve_piece<Dim>& p) const
   {
     using namespace operators;
@@ -31,7 +40,8 @@ public:
 
   /// A place beyond which all is outside, up to the pole: the farthest one from the pole of those tried, at distances that halve.
   /// Near the pole all is outside; but nothing where no double is near enough.
-  static std::optional<double> stop_towards(const Bernstein<Rational, 1>& outside, const Isolated_root<Rational>& pole, const Rational& far, const Rational& near)
+  template <class T>
+  static std::optional<double> stop_towards(const Bernstein<T, 1>& outside, const Isolated_root<Rational>& pole, const Rational& far, const Rational& near)
   {
     constexpr int most_halvings = 60;
     const bool before = far < near;
@@ -40,7 +50,7 @@ public:
       const double at = nearest_double(Rational(near - gap));
       const Rational place(at);
       if (place <= std::min(near, far) || place >= std::max(near, far)) return false;
-      if (!is_positive(restrict_to(outside, 0, before ? place : pole.lo, before ? pole.hi : place))) return false;
+      if (!is_positive_on(outside, before ? place : pole.lo, before ? pole.hi : place)) return false;
       found = at;
       return true;
     };
@@ -102,9 +112,16 @@ public:
 private:
   using Point = std::array<Interval, size>;
 
-  static bool is_positive(const Bernstein<Rational, 1>& f)
+  static bool is_positive_on(const Bernstein<Rational, 1>& f, const Rational& lo, const Rational& hi)
   {
-    return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Rational& c) { return c > 0; });
+    const auto part = restrict_to(f, 0, lo, hi);
+    return std::all_of(part.coefficients().begin(), part.coefficients().end(), [](const Rational& c) { return c > 0; });
+  }
+
+  static bool is_positive_on(const Bernstein<Interval, 1>& f, const Rational& lo, const Rational& hi)
+  {
+    const auto part = restrict_to(f, 0, Interval(std::max(0.0, enclosing(lo).inf())), Interval(std::min(1.0, enclosing(hi).sup())));
+    return std::all_of(part.coefficients().begin(), part.coefficients().end(), [](const Interval& c) { return c.inf() > 0; });
   }
 
   /// x = N/w = N(s₀)/(w'·δ) + N'/w' - N·w''/(2w'²) + …; nothing where that is not known well.

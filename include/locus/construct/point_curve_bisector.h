@@ -339,10 +339,11 @@ private:
   double stop_before(std::size_t s, std::size_t e)
   {
     const Cell_stretch& stretch = cell_.stretches()[s];
-    const auto outside = Path_ends<2>(*work_).outside_form(work_->pieces[s].forms.get());
     const Isolated_root<Rational> pole = pole_at(s, stretch.ends[e]);
     const Rational near = e == 0 ? pole.hi : pole.lo, far(stretch.inside);
-    const auto at = Path_ends<2>::stop_towards(outside, pole, far, near);
+    const Path_ends<2> ends(*work_);
+    auto at = Path_ends<2>::stop_towards(ends.enclosed_outside_form(s), pole, far, near);
+    if (!at) at = Path_ends<2>::stop_towards(ends.outside_form(work_->pieces[s].forms.get()), pole, far, near);
     if (!at) {
       Undecided_piece u;
       u.box = {seen_.range_of(feature_of(stretch).piece).at(enclosure(stretch.ends[e]))};

@@ -76,6 +76,7 @@ public:
       numerator_[k] = Enclosed_function(enclosed_->numerator()[k]);
       along_[k] = Enclosed_function(enclosed_->along()[k]);
     }
+    carrier_ = curve_->is_polynomial() ? Carrier() : carrier_of(*curve_);
     weight_ = Enclosed_function(enclosed_->weight());
     length_ = Enclosed_function(enclosed_->square());
   }
@@ -86,6 +87,20 @@ public:
   const Forms<Interval>& forms() const { return *enclosed_; }
   const std::shared_ptr<Vector_tree>& lift() const { return lift_; }
   const std::shared_ptr<Vector_tree>& square() const { return square_; }
+  /// Circles are recognised: all of such a piece is as near to an offset point.
+  bool is_on_circle() const { return carrier_.kind == Carrier::Kind::circle; }
+  bool is_on_circle_of(const Offset_piece& other) const
+  {
+    return is_on_circle() && other.is_on_circle() && carrier_.centre == other.carrier_.centre && carrier_.squared_radius == other.carrier_.squared_radius;
+  }
+  /// Of a piece on a circle: whether the offset lies beyond the centre, so that no point of it is kept.
+  bool is_beyond_centre(const Rational& distance) const
+  {
+    const Forms<Rational>& f = exact_.get();
+    const auto at_0 = [](const Bernstein<Rational, 1>& x) { return x[0]; };
+    const Rational w = at_0(f.weight()), dx = carrier_.centre[0] - at_0(f.numerator()[0]) / w, dy = carrier_.centre[1] - at_0(f.numerator()[1]) / w;
+    return distance * (at_0(f.along()[1]) * dx - at_0(f.along()[0]) * dy) > 0 && distance * distance > carrier_.squared_radius;
+  }
   /// What changes its sign where the curve reverses inside the piece; null where it does not.
   const std::shared_ptr<const Bernstein<Rational, 1>>& reversal() const { return reversal_; }
 
@@ -190,6 +205,7 @@ private:
   std::shared_ptr<const Bernstein<Rational, 1>> common_, reversal_;
   Lazy<Forms<Rational>> exact_;
   std::optional<Forms<Interval>> enclosed_;
+  Carrier carrier_;
   std::shared_ptr<Vector_tree> lift_, square_;
   std::array<Enclosed_function, 2> numerator_, along_;
   Enclosed_function weight_, length_;
@@ -270,13 +286,23 @@ private:
     points_.push_back(work_.at(stretch_.piece, distance_, Interval(hi)));
   }
 
-  /// From the linear interpolation: at most h²/8 times the second derivative.
+  /// From the linear interpolation: at most h²/8 times the second derivative. Where the curve runs forward along a direction near
+  /// the chord's, what is across it counts, and what is along it as far as the chord is inclined.
   double chord_deviation(double lo, double hi) const
   {
     const auto jets = work_.pieces[stretch_.piece].jet_at(Interval(lo, hi), distance_);
-    Interval square(0);
-    for (const auto& j : jets) square += CGAL::square(Interval(0, magnitude(j.second)));
-    const double d = (CGAL::sqrt(square) * CGAL::square(Interval(hi) - Interval(lo)) / Interval(8)).sup();
+    std::array<double, 2> along{midpoint(jets[0].first), midpoint(jets[1].first)};
+    const double length = std::hypot(along[0], along[1]);
+    double bend = CGAL::sqrt(CGAL::square(Interval(0, magnitude(jets[0].second))) + CGAL::square(Interval(0, magnitude(jets[1].second)))).sup();
+    if (length > 0 && std::isfinite(length)) {
+      const Interval x = Interval(along[0]) / Interval(length), y = Interval(along[1]) / Interval(length), forward = x * jets[0].first + y * jets[1].first;
+      if (forward.inf() > 0) {
+        const Interval size = CGAL::sqrt(CGAL::square(x) + CGAL::square(y)), inclined = CGAL::abs(x * jets[1].first - y * jets[0].first) / forward;
+        const Interval across = CGAL::abs(x * jets[1].second - y * jets[0].second) / size + inclined * Interval(bend);
+        bend = std::min(bend, across.sup());
+      }
+    }
+    const double d = (Interval(bend) * CGAL::square(Interval(hi) - Interval(lo)) / Interval(8)).sup();
     return d >= 0 ? d : std::numeric_limits<double>::infinity();
   }
 
@@ -314,11 +340,14 @@ public:
   {
     return with_upward_rounding([&] { return work_->at(work_->stretches[interval], x); });
   }
-  /// A polyline proved to lie within `error()` of an interval's offset, both ways: `relative_tolerance` times the curve's diameter,
-  /// if doubles allow it. Parts to infinity are cut off far from the curve.
+  /// A polyline proved to lie within `error()` of an interval's offset, both ways: about `relative_tolerance` times the greater of
+  /// the curve's diameter and |d|, if doubles allow it. Parts to infinity are cut off far from the curve.
   Polyline<2> polyline(std::size_t interval, double relative_tolerance) const
   {
-    return with_upward_rounding([&] { return detail::Offset_tracer(*work_, work_->stretches[interval], relative_tolerance * work_->extent.scale).run(); });
+    return with_upward_rounding([&] {
+      const double size = std::max(work_->extent.scale, std::abs(nearest_double(work_->distance)));
+      return detail::Offset_tracer(*work_, work_->stretches[interval], relative_tolerance * size).run();
+    });
   }
 
 private:
@@ -394,6 +423,7 @@ private:
   {
     const Offset_piece& piece = work_->pieces[i];
     const Rational d = side > 0 ? work_->distance : Rational(-work_->distance);
+    if (piece.is_on_circle() && piece.is_beyond_centre(d)) return;
     const Interval enclosed_d = enclosing(d);
     std::vector<Requirement> requirements;
     const auto make = [&](typename Offset_forms<Interval>::Pair pair, std::shared_ptr<Vector_tree> b, auto exact_pair) {
@@ -408,15 +438,17 @@ private:
       const Vector_form sign{multiply(*reversal, Rational(side))};
       requirements.push_back({std::make_shared<Vector_tree>(sign), basis_tree(1)});
     }
-    auto own = piece.forms().own_pair(enclosed_d);
-    const std::size_t size = own.first.size();
-    const Requirement self = make(std::move(own), basis_tree(size), [f = piece.exact(), d] { return f.get().own_pair(d); });
-    if (!holds_trivially(self)) requirements.push_back(self);
+    if (!piece.is_on_circle()) {
+      auto own = piece.forms().own_pair(enclosed_d);
+      const std::size_t size = own.first.size();
+      const Requirement self = make(std::move(own), basis_tree(size), [f = piece.exact(), d] { return f.get().own_pair(d); });
+      if (!is_on_tangent(self)) requirements.push_back(self);
+    }
     Requirement other = make(piece.forms().pair(enclosed_d), nullptr, [f = piece.exact(), d] { return f.get().pair(d); });
     for (std::size_t j = 0; j < work_->pieces.size(); ++j) {
-      if (j == i || same_path(j, i) || repeats_earlier_piece(j)) continue;
+      if (j == i || same_path(j, i) || repeats_earlier_piece(j) || piece.is_on_circle_of(work_->pieces[j])) continue;
       other.b = work_->pieces[j].lift();
-      if (!holds_trivially(other)) requirements.push_back(other);
+      if (!is_on_tangent(other)) requirements.push_back(other);
     }
     run(i, side, requirements, reversal);
   }
@@ -447,19 +479,14 @@ private:
     }
   }
 
-  /// Where the requirement's form vanishes identically, with or without its root: a line, of which the offset is on one side, or a
-  /// circle with its centre.
-  static bool holds_trivially(const Requirement& r)
+  /// Whether the rest vanishes identically: two pieces on one line.
+  static bool is_on_tangent(const Requirement& r)
   {
     Product_table table;
-    const auto all_unknown = [&] { return std::all_of(table.c.begin(), table.c.end(), [&](double x) { return std::abs(x) <= table.error; }); };
-    const auto is_zero_form = [](const Bernstein<Rational, 2>& f) {
-      return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Rational& c) { return c == 0; });
-    };
     table.make(r.rest->node(0).f, r.b->node(0).f);
-    if (all_unknown() && is_zero_form(product_of(r.rest->exact(), r.b->exact()))) return true;
-    table.make(factor_at(r, 0.5), r.b->node(0).f);
-    return all_unknown() && is_zero_form(form_of(r));
+    if (!std::all_of(table.c.begin(), table.c.end(), [&](double x) { return std::abs(x) <= table.error; })) return false;
+    const Bernstein<Rational, 2> f = product_of(r.rest->exact(), r.b->exact());
+    return std::all_of(f.coefficients().begin(), f.coefficients().end(), [](const Rational& c) { return c == 0; });
   }
 
   bool same_path(std::size_t i, std::size_t j) const

@@ -114,6 +114,16 @@ private:
     return sum;
   }
 
+  /// With a root.
+  Value rooted_value(const Requirement& r, double u, double v)
+  {
+    const Enclosed_vector& square = r.square->node(0).f;
+    const auto s = value_and_slopes(square.component(0), square.degree(), u, scratch_);
+    const double root = std::sqrt(s[0]), slope = 0.5 * s[1] / root;
+    const Value g = value(*r.a, *r.b, u, v), h = value(*r.rest, *r.b, u, v);
+    return {root * g.g + h.g, slope * g.g + root * g.gu + h.gu, root * g.gv + h.gv, slope * g.gv + root * g.guv + h.guv, root * g.gvv + h.gvv};
+  }
+
   /// Where a requirement is worst at u, about: by its Bernstein coefficients in v.
   struct Worst {
     const Requirement* requirement = nullptr;
@@ -130,7 +140,7 @@ private:
       const auto& node = r.b->node(o.node);
       if (r.a.get() != known) {
         known = r.a.get();
-        a = known->node(0).f.at(u);
+        a = factor_at(r, u);
       }
       table_.make(a, node.f);
       for (std::size_t j = 0; j < table_.columns; ++j)
@@ -151,7 +161,7 @@ private:
     const Vector_tree &a = apart ? *binding->apart_a : *binding->a, &b = apart ? *binding->apart_b : *binding->b;
     double u = 0.5 * (end.lo + end.hi), v = start, last = std::numeric_limits<double>::infinity();
     for (int step = 0; step < 30; ++step) {
-      const Value x = value(a, b, u, v);
+      const Value x = binding->square ? rooted_value(*binding, u, v) : value(a, b, u, v);
       const bool at_end = (v <= 0 && x.gv > 0) || (v >= 1 && x.gv < 0);
       double du = 0, dv = 0;
       if (at_end || x.gvv == 0) {

@@ -7,6 +7,7 @@
 #include <locus/zero_set/solve_control.h>
 
 #include <array>
+#include <map>
 
 namespace locus {
 
@@ -196,7 +197,7 @@ private:
   }
 
   /// Exact coefficients are formed in cells narrower than 2^-`exact_from`: before, halving is cheaper.
-  static constexpr int exact_from = 6;
+  static constexpr int exact_from = 12;
 
   /// The same with a root, which lies between q - e and q + e.
   Outcome examine_rooted(Cell& cell, Open_requirement& r, int depth)
@@ -354,7 +355,7 @@ private:
       for (std::size_t end_v = 0; end_v < 2; ++end_v) {
         if (!position.at_u[end_u] || !position.at_v[end_v]) continue;
         const std::size_t di = end_u ? table_.rows - 1 - i : i, dj = end_v ? table_.columns - 1 - j : j;
-        if (di + dj > 1) continue;
+        if (di + dj > 1 || is_strict(sign_of(table_.at(end_u ? table_.rows - 1 : 0, end_v ? table_.columns - 1 : 0), table_.error))) continue;
         const Corner_zeros& z = zeros_at(position.requirement, end_u, end_v);
         if (z.here && (di == 0 || z.next_u) && (dj == 0 || z.next_v)) return true;
       }
@@ -449,9 +450,7 @@ private:
   {
     const std::vector<Open_requirement> open = without_parts(parts);
     ++result_.algebraic_cells;
-    Event_polynomials events;
-    for (const Open_requirement& r : open) events.add(requirements_[r.requirement]);
-    const auto boundary = events.on(lo, hi);
+    const auto boundary = events_of(open).on(lo, hi);
     if (!boundary) {
       result_.undecided.push_back({lo, hi});
       return;
@@ -476,6 +475,17 @@ private:
       }
       was_feasible = is_feasible;
     }
+  }
+
+  const Event_polynomials& events_of(const std::vector<Open_requirement>& open)
+  {
+    std::vector<std::size_t> key;
+    for (const Open_requirement& r : open) key.push_back(r.requirement);
+    std::sort(key.begin(), key.end());
+    const auto [found, is_new] = events_.try_emplace(key);
+    if (is_new)
+      for (const std::size_t r : key) found->second.add(requirements_[r]);
+    return found->second;
   }
 
   /// Each requirement once: on all of v where several parts are open.
@@ -536,6 +546,7 @@ private:
   std::vector<std::array<std::optional<Corner_zeros>, 4>> corners_;
   Product_table table_, size_;
   std::vector<Found> found_;
+  std::map<std::vector<std::size_t>, Event_polynomials> events_; ///< of sets of requirements
 };
 
 } // namespace detail
