@@ -110,14 +110,20 @@ private:
   void treat(Cell& cell, int depth, std::vector<Cell>* stuck, std::vector<Cell>& next)
   {
     ++result_.cells;
-    std::vector<Open_requirement> kept;
-    std::vector<Open_requirement> todo(cell.open.rbegin(), cell.open.rend());
+    if (is_violated_as_neighbours(cell)) return;
+    std::vector<Open_requirement>& kept = kept_;
+    std::vector<Open_requirement>& todo = todo_;
+    kept.clear();
+    todo.assign(cell.open.rbegin(), cell.open.rend());
     while (!todo.empty()) {
       Open_requirement r = todo.back();
       todo.pop_back();
       Vector_tree& b = *requirements_[r.requirement].b;
       const Outcome outcome = examine(cell, r, depth);
-      if (outcome == Outcome::violated) return;
+      if (outcome == Outcome::violated) {
+        remember_violator(r);
+        return;
+      }
       if (outcome == Outcome::satisfied) continue;
       // Where the requirement is monotone in u the whole part of v is as good as smaller ones.
       if (r.slope == 0 && b.node(r.node).f.degree() > 0 && b.node(r.node).width() >= 2 * cell.width()) {
@@ -128,7 +134,7 @@ private:
         kept.push_back(r);
       }
     }
-    cell.open = std::move(kept);
+    cell.open = kept;
     if (cell.open.empty()) {
       add_whole(cell);
       return;
@@ -158,12 +164,43 @@ private:
     next.push_back(std::move(high));
   }
 
+  /// A v at which a requirement was violated on a whole cell; it may be on the next cells, too.
+  struct Violator {
+    std::size_t requirement;
+    double v;
+    Enclosed_vector b;
+  };
+
+  bool is_violated_as_neighbours(const Cell& cell)
+  {
+    for (std::size_t k = 0; k < violators_.size(); ++k) {
+      table_.make(cell.a[family_[violators_[k].requirement]], violators_[k].b);
+      if (!std::all_of(table_.c.begin(), table_.c.end(), [&](double x) { return x < -table_.error; })) continue;
+      result_.filter.record(Rung::bounded, true);
+      std::rotate(violators_.begin(), violators_.begin() + static_cast<std::ptrdiff_t>(k), violators_.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+      return true;
+    }
+    return false;
+  }
+
+  /// The latest ones, the last that helped first.
+  void remember_violator(const Open_requirement& r)
+  {
+    constexpr std::size_t most = 6;
+    const Requirement& requirement = requirements_[r.requirement];
+    if (requirement.square) return;
+    const auto& node = requirement.b->node(r.node);
+    const double v = violated_at_high_end_ ? node.hi : node.lo;
+    if (violators_.size() == most) violators_.pop_back();
+    violators_.insert(violators_.begin(), Violator{r.requirement, v, requirement.b->node(0).f.at(v)});
+  }
+
   // ---------------------------------------------------------------------------------------------- one requirement
 
-  /// The sign of a coefficient of the table by doubles; zeros at corners are known.
-  struct Signs {
-    bool any_negative = false, any_unknown = false;
-    std::array<bool, 2> column_negative{true, true}; ///< all of the first, of the last column
+  /// The ends of the unit square at which the cell examined lies, u's and v's.
+  struct Position {
+    std::size_t requirement;
+    std::array<bool, 2> at_u, at_v;
   };
 
   Outcome examine(Cell& cell, Open_requirement& r, int depth)
@@ -173,6 +210,10 @@ private:
     const auto& node = requirement.b->node(r.node);
     table_.make(cell.a[family_[r.requirement]], node.f);
     const Position position{r.requirement, {cell.lo == 0, cell.hi == 1}, {node.lo == 0, node.hi == 1}};
+    if (const auto outcome = judge_at_once(position, depth, r.slope)) {
+      result_.filter.record(Rung::bounded, true);
+      return *outcome;
+    }
     const auto sign = [&](std::size_t i, std::size_t j) {
       const Sign s = sign_of(table_.at(i, j), table_.error);
       return is_certain(s) || !is_known_zero(position, i, j) ? s : Sign::zero;
@@ -194,6 +235,32 @@ private:
                   .first;
     }
     return outcome;
+  }
+
+  /// The answer where extreme coefficients give it, away from corners and while cells are wide: the rule.
+  std::optional<Outcome> judge_at_once(const Position& position, int depth, int& slope)
+  {
+    const std::size_t rows = table_.rows, columns = table_.columns;
+    const double* const c = table_.c.data();
+    double least = c[0], first = c[0], last = c[columns - 1];
+    for (std::size_t k = 0; k < rows * columns; ++k) least = std::min(least, c[k]);
+    if (least > table_.error) return Outcome::satisfied;
+    for (std::size_t i = 1; i < rows; ++i) {
+      first = std::max(first, c[i * columns]);
+      last = std::max(last, c[i * columns + columns - 1]);
+    }
+    violated_at_high_end_ = !(first < -table_.error);
+    if (std::min(first, last) < -table_.error) return Outcome::violated;
+    const bool at_corner = (position.at_u[0] || position.at_u[1]) && (position.at_v[0] || position.at_v[1]);
+    if (at_corner || depth >= exact_from || !(least < -table_.error)) return std::nullopt;
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (std::size_t k = 0; k + columns < rows * columns; ++k) {
+      lowest = std::min(lowest, c[k + columns] - c[k]);
+      highest = std::max(highest, c[k + columns] - c[k]);
+    }
+    const double error = 2 * table_.error * (1 + 4 * operation_error) + 2 * operation_error * (std::abs(lowest) + std::abs(highest));
+    slope = lowest > error ? 1 : highest < -error ? -1 : 0;
+    return Outcome::open;
   }
 
   /// Exact coefficients are formed in cells narrower than 2^-`exact_from`: before, halving is cheaper.
@@ -310,7 +377,10 @@ private:
         negative = negative && s == Sign::negative;
         possible = possible && (s == Sign::negative || s == Sign::unknown);
       }
-      if (negative) return {Outcome::violated, false};
+      if (negative) {
+        violated_at_high_end_ = j > 0;
+        return {Outcome::violated, false};
+      }
       column_unknown = column_unknown || possible;
     }
     bool rising = true, falling = true, slope_unknown = false;
@@ -333,12 +403,6 @@ private:
   }
 
   // ---------------------------------------------------------------------------------------------------------- corners
-
-  /// The ends of the unit square at which the cell examined lies, u's and v's.
-  struct Position {
-    std::size_t requirement;
-    std::array<bool, 2> at_u, at_v;
-  };
 
   const Corner_zeros& zeros_at(std::size_t requirement, std::size_t end_u, std::size_t end_v)
   {
@@ -545,6 +609,9 @@ private:
   std::vector<Group> groups_;
   std::vector<std::array<std::optional<Corner_zeros>, 4>> corners_;
   Product_table table_, size_;
+  std::vector<Violator> violators_;
+  std::vector<Open_requirement> kept_, todo_; ///< of the cell at hand
+  bool violated_at_high_end_ = false;
   std::vector<Found> found_;
   std::map<std::vector<std::size_t>, Event_polynomials> events_; ///< of sets of requirements
 };
