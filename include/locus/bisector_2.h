@@ -3,8 +3,9 @@
 #define LOCUS_BISECTOR_2_H
 
 /// Bisectors in the plane: constructors of curves, `untrimmed_bisector` of curves and of a point and a curve, `bisector` of a point
-/// and a curve.
+/// and a curve, distances and `nearer`.
 
+#include <locus/construct/nearest_feet.h>
 #include <locus/construct/point_curve_bisector.h>
 #include <locus/construct/point_curve_map.h>
 #include <locus/construct/untrimmed_bisector_2.h>

@@ -3,6 +3,7 @@
 #define LOCUS_CONSTRUCT_BISECTOR_EVENTS_H
 
 #include <locus/constraint/point_curve.h>
+#include <locus/construct/locus.h>
 #include <locus/construct/parameter_range.h>
 #include <locus/function/rational_root.h>
 #include <locus/function/root_value.h>
@@ -169,6 +170,17 @@ inline Bisector_events bisector_events(const Coordinates_2& point, const Curve_2
     return found;
   });
 }
+
+namespace detail {
+
+/// Writes the events into a result; the curve is that input.
+inline void note_events(const Bisector_events& found, std::size_t input, Locus_data<2>& data)
+{
+  for (const Bisector_event& e : found.events) data.events.push_back({name_of(e.kind), input, e.parameter, e.place.multiplicity});
+  for (const Bisector_segment& s : found.segments) data.segments.push_back({input, s.parameters, s.active});
+}
+
+} // namespace detail
 
 } // namespace locus
 

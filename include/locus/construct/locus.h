@@ -205,6 +205,19 @@ struct Kept_interval {
   std::array<std::optional<Rational>, 2> exact; ///< none where the end is irrational or infinite
 };
 
+/// What happens to a locus at one parameter of an input, and a part of that input between such places; see the construction.
+struct Locus_event {
+  std::string kind;
+  std::size_t input = 0;
+  Range parameter;
+  int multiplicity = 1;
+};
+struct Locus_segment {
+  std::size_t input = 0;
+  Range parameters;
+  bool active = false;
+};
+
 /// The boundary of a convex cell: its arcs counterclockwise, of which those listed as `reversed` run clockwise themselves.
 struct Cell_outline {
   std::size_t input = 0; ///< the input that is nearest inside
@@ -274,6 +287,8 @@ struct Locus_data {
   std::optional<Rational_map<Dim, 2>> rational_surface;
   std::vector<Region> regions;
   std::optional<Cell_outline> outline;
+  std::vector<Locus_event> events;
+  std::vector<Locus_segment> segments;
   std::vector<Degenerate_piece> degenerate;
   std::vector<Undecided_piece> undecided;
   std::vector<Equation_info> equations;
@@ -305,6 +320,9 @@ public:
   const std::optional<std::vector<Kept_interval>>& kept_intervals() const { return data_.kept; }
   const std::optional<Rational_map<Dim, 2>>& rational_surface() const { return data_.rational_surface; }
   const std::vector<Region>& regions() const { return data_.regions; }
+  /// Of the bisector of a point and a curve, where it was asked for: `Bisector_events`.
+  const std::vector<Locus_event>& events() const { return data_.events; }
+  const std::vector<Locus_segment>& segments() const { return data_.segments; }
   /// Where the locus bounds the convex cell of an input, in which order.
   const std::optional<Cell_outline>& outline() const { return data_.outline; }
   const std::vector<Degenerate_piece>& degenerate() const { return data_.degenerate; }

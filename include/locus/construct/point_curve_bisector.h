@@ -14,7 +14,7 @@ namespace locus {
 
 struct Point_bisector_options {
   Solve_control control;
-  bool keep_rational = false;  ///< keep the exact untrimmed curve in the result
+  bool keep_rational = false;  ///< keep the exact untrimmed curve in the result, with its events
   /// Reading (70) of Farouki & Johnstone 1994 instead of (71): the nearest point of the curve's continuation over the whole line
   /// must lie on the curve itself. For one Bézier piece or a curve in monomial form.
   bool beyond_ends = false;
@@ -423,6 +423,7 @@ inline Locus<2> point_curve_bisector(const Coordinates_2& point, const Curve_2& 
     if (options.keep_rational) {
       data.rational_curve = untrimmed_bisector_map(point, curve);
       data.kept = maker.kept_intervals(*data.rational_curve);
+      note_events(bisector_events(point, curve), point_first ? 1 : 0, data);
       data.equations.push_back({"untrimmed bisector", {data.rational_curve->degrees()[0]}});
     }
     data.statistics.cells = cell.cells();

@@ -3,6 +3,7 @@
 #define LOCUS_CONSTRUCT_POINT_CURVE_MAP_H
 
 #include <locus/constraint/point_curve.h>
+#include <locus/construct/bisector_events.h>
 #include <locus/construct/rational_locus.h>
 #include <locus/shape/constructors_2.h>
 #include <locus/shape/rational_map.h>
@@ -45,6 +46,7 @@ inline Locus<2> untrimmed_point_bisector(const Coordinates_2& point, const Curve
     Locus_data<2> data = Rational_locus_maker<2>(curve, map, std::move(labels), {point.exact()}).make();
     data.compute = "bisector";
     data.equations.push_back({"untrimmed bisector", {map.degrees()[0]}});
+    note_events(bisector_events(point, curve), point_first ? 1 : 0, data);
     data.rational_curve = std::move(map);
     data.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return Locus<2>(std::move(data));

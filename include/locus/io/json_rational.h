@@ -114,6 +114,15 @@ void write_surface(Json_writer& json, const Locus<Dim>& locus)
 {
   if (Dim == 3) write_lines(json, "sheets", locus.sheets(), write_sheet);
   if (locus.outline()) write_outline(json, *locus.outline());
+  if (!locus.events().empty() || !locus.segments().empty()) {
+    write_lines(json, "events", locus.events(), [](Json_writer& j, const Locus_event& e) {
+      j.open('{').key("kind").value(e.kind).key("input").value(e.input).key("parameter").value(e.parameter);
+      j.key("multiplicity").value(e.multiplicity).close('}');
+    });
+    write_lines(json, "segments", locus.segments(), [](Json_writer& j, const Locus_segment& s) {
+      j.open('{').key("input").value(s.input).key("parameters").value(s.parameters).key("active").value(s.active).close('}');
+    });
+  }
   const auto* const kept = locus.kept_intervals() ? &*locus.kept_intervals() : nullptr;
   std::size_t index = 0;
   if (locus.rational_curve())
