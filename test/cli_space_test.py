@@ -738,7 +738,8 @@ def check_form(where, piece):
     n = [d + 1 for d in piece["degrees"]]
     check(list(piece) == ["domain", "degrees", "control_points", "weights", "intervals"], f"{where}: keys {list(piece)}")
     check(sizes(piece["weights"]) == n and sizes(piece["control_points"])[:-1] == n, f"{where}: degrees {piece['degrees']}")
-    check(piece["intervals"] == [piece["domain"]], f"{where}: intervals {piece['intervals']}")
+    # Of a curve pairs of parameters, of a surface boxes.
+    check(piece["intervals"] == (piece["domain"] if len(piece["domain"]) == 1 else [piece["domain"]]), f"{where}: intervals {piece['intervals']}")
 
 
 def check_rational_evolute(name, curve, pieces):

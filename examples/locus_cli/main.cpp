@@ -131,7 +131,7 @@ std::string json_file(const Settings& settings)
 void refuse_outputs(const Settings& settings, bool svg, bool meshes, bool certificate)
 {
   if (!svg && !settings.svg.empty()) throw locus::Unsupported_feature("--svg: pictures of what is in space (use --ply, --obj or --vtk)");
-  if (!certificate && !settings.certificate.empty()) throw locus::Unsupported_feature("--certificate: certificates of anything but planar bisectors");
+  if (!certificate && !settings.certificate.empty()) throw locus::Unsupported_feature("--certificate: certificates of anything but planar bisectors of curves");
   const std::pair<const char*, const std::string&> files[] = {{"--ply", settings.ply}, {"--obj", settings.obj}, {"--vtk", settings.vtk}};
   for (const auto& [name, file] : files)
     if (!meshes && !file.empty()) throw locus::Unsupported_feature(std::string(name) + ": meshes of anything but surfaces");

@@ -80,9 +80,11 @@ void write_map_piece(Json_writer& json, const Rational_map_piece<Dim, K>& piece,
   if (kept) {
     write_kept(json, *kept, index);
   } else {
-    json.key("intervals").open('[').open('[');
+    json.key("intervals").open('[');
+    if (K > 1) json.open('[');
     for (const Piece& range : piece.range) write_range(json, range);
-    json.close(']').close(']');
+    if (K > 1) json.close(']');
+    json.close(']');
   }
   json.close('}');
 }
