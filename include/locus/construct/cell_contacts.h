@@ -31,6 +31,10 @@ public:
     const double bad = side == 0 ? end.lo : end.hi;
     for (const Open_requirement& r : end.open) collect(r, bad, candidates);
     join_neighbours(candidates);
+    // What doubles could not tell: beyond the end a contact's requirement fails.
+    Requirement_signs signs(feature_.requirements, counts_);
+    const auto holds = [&](const Candidate& c) { return signs.at(c.open, bad) != Sign::negative; };
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), holds), candidates.end());
     if (candidates.size() > 1) keep_binding(candidates, end, side);
     std::vector<Cell_contact> contacts;
     for (const Candidate& c : candidates) contacts.push_back(narrowed(c, end));
@@ -137,6 +141,7 @@ private:
   Cell_contact narrowed(const Candidate& c, const Feasible_end& end)
   {
     Cell_contact contact{c.piece, c.lo, c.hi};
+    if (c.hi - c.lo > 64 * finest) return contact; // all of it
     const Requirement& requirement = feature_.requirements[c.open[0].requirement];
     const Enclosed_vector a = requirement.a->node(0).f.over(end.lo, end.hi);
     table_.make(a, requirement.b->node(0).f);

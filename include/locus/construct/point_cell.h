@@ -61,6 +61,7 @@ private:
       for (int e = 0; e < 2; ++e) {
         const auto i = static_cast<std::size_t>(e);
         refiner.narrow(interval.ends[i], e, end_width);
+        if (is_sensitive(feature, interval.ends[i])) refiner.narrow(interval.ends[i], e, 0x1p-52, 0x1p-52);
         stretch.infinite[i] = is_infinite(feature, interval.ends[i], e, refiner);
         stretch.ends[i] = std::move(interval.ends[i]);
       }
@@ -72,6 +73,20 @@ private:
 
   /// As closely as an end is enclosed before anything is made of it.
   static constexpr double end_width = 0x1p-42;
+
+  /// Whether the boundary's point is far from being known where the parameter is enclosed so closely.
+  static bool is_sensitive(const Cell_feature& feature, const Feasible_end& end)
+  {
+    if (end.is_exact()) return false;
+    const Enclosed_vector t = feature.tangent_tree->node(0).f.over(end.lo, end.hi);
+    const Interval w = t.interval_form(2)[0];
+    if (contains_zero(w)) return true;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Interval q = t.interval_form(k)[0] / w;
+      if (!(width(q) <= 1e-9 * std::max(1.0, magnitude(q)))) return true;
+    }
+    return false;
+  }
 
   /// Whether the weight vanishes at an end that is no end of the feature: whether it is the weight's requirement, the first one,
   /// that fails beyond it. Where others may fail there as well, exactly.

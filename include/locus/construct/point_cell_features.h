@@ -18,6 +18,7 @@ struct Cell_feature {
   std::size_t piece = 0;
   int end = 0; ///< of the piece, for a vertex
   std::shared_ptr<Vector_tree> tangent_tree;
+  std::shared_ptr<Vector_tree> lift; ///< of an arc's piece
   bool counterclockwise = true;
   bool has_weight_requirement = false; ///< the first requirement is that of the weight's sign
   std::vector<Requirement> requirements;
@@ -209,12 +210,14 @@ public:
     if (all[0]) can[1] = false;
     if (all[1]) can[0] = false;
     forms.make_self(forms.tangent, piece->enclosed_lift);
+    if (is_one_centre(*piece, forms.self, zeros)) return;
     const auto basis = basis_tree(forms.self.size());
     for (int sign = 1; sign >= -1; sign -= 2) {
       if (!can[sign > 0 ? 0 : 1]) continue;
       Cell_feature f;
       f.piece = i;
       f.counterclockwise = sign > 0;
+      f.lift = result_.pieces[i].lift;
       f.tangent_tree = tree(forms.tangent, sign, [piece, zeros, sign] { return times(exact_tangent(*piece, zeros), sign); });
       if (zeros == std::array<int, 2>{}) f.tangent_tree->set_fresh([seen, sign](double u) { return fresh_tangent(*seen, u, sign); });
       const auto self = tree(forms.self, sign, [piece, zeros, sign] { return times(exact_self(*piece, zeros), sign); });
@@ -258,6 +261,16 @@ public:
   }
 
   Cell_features result() { return std::move(result_); }
+
+  /// Of a circle through the point all normals meet in its centre: T vanishes identically.
+  static bool is_one_centre(const Seen_piece& piece, const std::vector<Bernstein<Interval, 1>>& self, const std::array<int, 2>& zeros)
+  {
+    for (const auto& row : self)
+      for (const Interval& c : row.coefficients())
+        if (!contains_zero(c)) return false;
+    const Vector_form exact = exact_self(piece, zeros);
+    return std::all_of(exact.begin(), exact.end(), [](const auto& row) { return is_zero(row); });
+  }
 
 private:
   static Vector_form times(Vector_form f, int sign)

@@ -187,7 +187,26 @@ private:
     if (f.kind != Cell_feature::Kind::arc || g.kind != Cell_feature::Kind::arc) return false;
     const Feasible_end &x = a.ends[last], &y = b.ends[first];
     const double side = static_cast<double>(last);
-    return x.is_exact() && x.lo == side && y.is_exact() && y.lo == 1 - side && seen_.goes_on_smoothly(f.piece, static_cast<int>(last), g.piece);
+    if (!(x.is_exact() && x.lo == side && y.is_exact() && y.lo == 1 - side)) return false;
+    return seen_.goes_on_smoothly(f.piece, static_cast<int>(last), g.piece) || has_one_tangent(f, last, g, first);
+  }
+
+  /// Whether two features meet in one point of the curve with one tangent, though not as neighbours: a path that is traced again, or
+  /// a cusp at the point itself.
+  static bool has_one_tangent(const Cell_feature& f, std::size_t last, const Cell_feature& g, std::size_t first)
+  {
+    const auto at = [](const Vector_form& t, std::size_t end) {
+      return std::array<Rational, 3>{t[0][end ? t[0].size() - 1 : 0], t[1][end ? t[1].size() - 1 : 0], t[2][end ? t[2].size() - 1 : 0]};
+    };
+    return is_one_ray(at(f.tangent(), last), at(g.tangent(), first)) && is_one_ray(at(f.lift->exact(), last), at(g.lift->exact(), first));
+  }
+
+  static bool is_one_ray(const std::array<Rational, 3>& a, const std::array<Rational, 3>& b)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t l = 0; l < k; ++l)
+        if (a[k] * b[l] != a[l] * b[k]) return false;
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > 0;
   }
 
   std::size_t add_vertex(std::size_t a, std::size_t last, std::size_t b, std::size_t first)
@@ -215,12 +234,9 @@ private:
   }
 
   /// Unless one at the same place is there.
-  static void add_foot(Locus_vertex<2>& v, Foot foot)
+  void add_foot(Locus_vertex<2>& v, Foot foot) const
   {
-    const auto meets = [&](const Foot& other) {
-      const Range &x = foot.parameters[0], &y = other.parameters[0];
-      return x.lo <= y.hi && y.lo <= x.hi;
-    };
+    const auto meets = [&](const Foot& other) { return seen_.may_be_one_place(foot.parameters[0], other.parameters[0]); };
     if (std::none_of(v.feet.begin(), v.feet.end(), meets)) v.feet.push_back(std::move(foot));
   }
 
@@ -236,7 +252,7 @@ private:
   {
     Locus_vertex<2> v;
     v.kind = Vertex_kind::trim;
-    const Arc_point<2> p = work_->at(stretch, enclosure(end));
+    const Arc_point<2> p = work_->at(stretch, Interval(end.lo + 0.5 * (end.hi - end.lo)));
     v.point = p.point();
     v.radius = p.radius();
     return v;
@@ -333,8 +349,27 @@ private:
                             std::vector<std::size_t>{0, 1}, std::move(features));
   }
 
-  /// How far apart points of one end's enclosure can be.
-  double spread_at(std::size_t s, const Feasible_end& end) const { return work_->at(s, enclosure(end)).error(); }
+  /// How far apart points of one end's enclosure can be: as control points are, where what is enclosed of the whole piece says less.
+  double spread_at(std::size_t s, const Feasible_end& end) const
+  {
+    const double rough = work_->at(s, enclosure(end)).error();
+    if (rough <= 1e-10 * work_->scale) return rough;
+    const Curve_piece<2>& forms = work_->pieces[s].forms.get();
+    const auto part = [&](const Bernstein<Rational, 1>& f) { return enclosed(restrict_to(f, 0, Rational(end.lo), Rational(end.hi))); };
+    const auto weight = part(forms.weight);
+    Interval square(0);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto x = part(forms.numerator[k]);
+      if (contains_zero(weight[0])) return rough;
+      Interval range = x[0] / weight[0];
+      for (std::size_t i = 1; i < x.size(); ++i) {
+        if (contains_zero(weight[i])) return rough;
+        range = hull(range, x[i] / weight[i]);
+      }
+      square += CGAL::square(Interval(width(range)));
+    }
+    return std::min(rough, work_->frame.length(CGAL::sqrt(square)).sup());
+  }
 
   double stop_before(std::size_t s, std::size_t e)
   {

@@ -68,6 +68,16 @@ public:
     return chain_.pieces[p.source].at(Rational(p.from + local * (p.to - p.from)));
   }
 
+  /// Whether two parameter ranges hold one place: in common, or at the two sides of a seam.
+  bool may_be_one_place(const Range& a, const Range& b) const
+  {
+    if (a.lo <= b.hi && b.lo <= a.hi) return true;
+    if (!chain_.is_closed()) return false;
+    const Range first = ranges_.front().at(Interval(0)), last = ranges_.back().at(Interval(1));
+    const auto holds = [](const Range& x, const Range& end) { return x.lo <= end.hi && end.lo <= x.hi; };
+    return (holds(a, first) && holds(b, last)) || (holds(a, last) && holds(b, first));
+  }
+
   /// The piece of the untrimmed bisector: pieces of the curve that are mapped to infinity have none.
   std::size_t piece_of_map(std::size_t piece, const Rational_map<2, 1>& map) const
   {
@@ -127,8 +137,11 @@ private:
     seen.weight = piece.weight;
     seen.source = source;
     std::vector<Rational> cuts = places_of(seen, {Rational(0), Rational(0)});
-    const std::vector<Rational> cusps = places_of_cusps(piece);
-    cuts.insert(cuts.end(), cusps.begin(), cusps.end());
+    std::vector<Rational> cusps;
+    for (const Standstill& s : standstills(piece)) {
+      cuts.push_back(s.place);
+      if (s.reverses) cusps.push_back(s.place);
+    }
     add_parts(seen, std::move(cuts), cusps);
   }
 
@@ -195,8 +208,13 @@ private:
     return places;
   }
 
-  /// Where a piece stands still inside.
-  static std::vector<Rational> places_of_cusps(const Curve_piece<2>& piece)
+  /// Where a piece stands still inside. It turns back there if its velocity vanishes to an odd order.
+  struct Standstill {
+    Rational place;
+    bool reverses;
+  };
+
+  static std::vector<Standstill> standstills(const Curve_piece<2>& piece)
   {
     Bernstein<Interval, 1> square(Degrees<1>{0});
     for (const auto& x : piece.numerator) {
@@ -204,7 +222,14 @@ private:
       square = add(square, multiply(d, d));
     }
     if (std::all_of(square.coefficients().begin(), square.coefficients().end(), [](const Interval& c) { return c.inf() > 0; })) return {};
-    return inner_rational_roots(standstill_factor(piece), "a curve with a cusp at an irrational parameter");
+    const Integer_polynomial factor = standstill_factor(piece);
+    std::vector<Standstill> found;
+    for (const Rational& s : inner_rational_roots(factor, "a curve with a cusp at an irrational parameter")) {
+      bool odd = false;
+      for (Integer_polynomial f = factor; degree(f) >= 0 && sign_at(bernstein_form(f), s) == Sign::zero; f = derivative(f)) odd = !odd;
+      found.push_back({s, odd});
+    }
+    return found;
   }
 
   // ---------------------------------------------------------------------------------------------------------- overlaps
@@ -245,11 +270,17 @@ private:
     return {Rational(p.offset[0][end == 0 ? 0 : p.offset[0].size() - 1] / w), Rational(p.offset[1][end == 0 ? 0 : p.offset[1].size() - 1] / w)};
   }
 
+  /// The place of an end; nothing at infinity.
+  std::optional<std::array<Rational, 2>> finite_end(std::size_t i, int end) const
+  {
+    if (end_weight(i, end) == 0) return std::nullopt;
+    return end_place(i, end);
+  }
+
   /// Same ends, and more points of one on the other than two different curves of their degrees can share (Bézout).
   bool is_one_path(const Seen_piece& a, const Seen_piece& b, std::size_t i, std::size_t j) const
   {
-    if (end_weight(i, 0) == 0 || end_weight(i, 1) == 0 || end_weight(j, 0) == 0 || end_weight(j, 1) == 0) return false;
-    const auto from = end_place(i, 0), to = end_place(i, 1), other_from = end_place(j, 0), other_to = end_place(j, 1);
+    const auto from = finite_end(i, 0), to = finite_end(i, 1), other_from = finite_end(j, 0), other_to = finite_end(j, 1);
     if (!(from == other_from && to == other_to) && !(from == other_to && to == other_from)) return false;
     const int n = std::max(a.offset[0].degree(), a.weight.degree()), m = std::max(b.offset[0].degree(), b.weight.degree());
     for (int k = 1; k <= n * m; ++k) {

@@ -7,6 +7,7 @@
 #include <locus/zero_set/solve_control.h>
 
 #include <array>
+#include <iterator>
 #include <map>
 
 namespace locus {
@@ -53,6 +54,8 @@ public:
       // Many open cells side by side: requirements that vanish along a curve.
       const bool give_up = depth >= (groups_.empty() ? deepest : deepest_rooted) || level.size() > most_open || result_.cells > control_.max_cells || control_.is_cancelled();
       for (Cell& cell : level) treat(cell, depth, give_up ? &stuck : nullptr, next);
+      stuck.insert(stuck.end(), std::make_move_iterator(crowded_.begin()), std::make_move_iterator(crowded_.end()));
+      crowded_.clear();
       if (control_.is_cancelled())
         for (const Cell& cell : stuck) result_.undecided.push_back({cell.lo, cell.hi});
       else if (!stuck.empty()) by_algebra(stuck);
@@ -65,7 +68,7 @@ public:
 private:
   static constexpr int deepest = 30;
   static constexpr int deepest_rooted = 22; ///< double zeros drown in the root's error below
-  static constexpr std::size_t most_open = 100;
+  static constexpr std::size_t most_open = 100, most_parts = 200;
 
   /// √square·a + rest on a cell, by a polynomial q near the root: `middle` is q·a + rest, `a` is written with its degree.
   struct Rooted {
@@ -125,6 +128,13 @@ private:
         return;
       }
       if (outcome == Outcome::satisfied) continue;
+      if (kept.size() + todo.size() > most_parts) { // as where a requirement vanishes for all v at one u
+        kept.push_back(r);
+        kept.insert(kept.end(), todo.begin(), todo.end());
+        cell.open = kept;
+        crowded_.push_back(std::move(cell));
+        return;
+      }
       // Where the requirement is monotone in u the whole part of v is as good as smaller ones.
       if (r.slope == 0 && b.node(r.node).f.degree() > 0 && b.node(r.node).width() >= 2 * cell.width()) {
         const std::size_t low = b.halve(r.node);
@@ -259,7 +269,7 @@ private:
       highest = std::max(highest, c[k + columns] - c[k]);
     }
     const double error = 2 * table_.error * (1 + 4 * operation_error) + 2 * operation_error * (std::abs(lowest) + std::abs(highest));
-    slope = lowest > error ? 1 : highest < -error ? -1 : 0;
+    slope = lowest > error ? 2 : highest < -error ? -2 : 0;
     return Outcome::open;
   }
 
@@ -320,7 +330,7 @@ private:
     };
     const auto exact_rise = [&, slack = Rational(rise_error)](std::size_t i, std::size_t j) {
       const Rational x = c[(i + 1) * table_.columns + j] - c[i * table_.columns + j];
-      slope_unknown = slope_unknown || abs(x) < slack;
+      slope_unknown = slope_unknown || abs(x) <= slack;
       return sign_of(x);
     };
     slope_unknown = false;
@@ -383,15 +393,16 @@ private:
       }
       column_unknown = column_unknown || possible;
     }
-    bool rising = true, falling = true, slope_unknown = false;
+    bool rising = true, falling = true, strict = table_.rows > 1, slope_unknown = false;
     for (std::size_t i = 0; i + 1 < table_.rows; ++i)
       for (std::size_t j = 0; j < table_.columns; ++j) {
         const Sign s = rise(i, j);
+        strict = strict && s != Sign::zero;
         rising = rising && (s == Sign::positive || s == Sign::zero);
         falling = falling && (s == Sign::negative || s == Sign::zero);
         slope_unknown = slope_unknown || s == Sign::unknown;
       }
-    slope = rising ? 1 : falling ? -1 : 0;
+    slope = (rising ? 1 : falling ? -1 : 0) * (strict ? 2 : 1);
     return {Outcome::open, (any_unknown && !any_negative) || column_unknown || (slope_unknown && slope == 0)};
   }
 
@@ -464,7 +475,12 @@ private:
       const Sign at_good = signs_.at(ends[e].open, good);
       if (at_good == Sign::negative) return true; // nowhere feasible
       const bool is_whole = signs_.at(ends[e].open, bad) != Sign::negative;
-      if (!is_whole && at_good == Sign::zero) return true; // feasible at the end alone: a neighbour's end, if anything's
+      if (!is_whole && at_good == Sign::zero) {
+        // Feasible at the end alone: a neighbour's end, if anything's. But the zero may be one for all u.
+        const bool strict = std::all_of(ends[e].open.begin(), ends[e].open.end(), [](const Open_requirement& r) { return std::abs(r.slope) > 1; });
+        if (!strict) by_algebra(cell.lo, cell.hi, cell.open);
+        return true;
+      }
       ends[e].lo = is_whole ? bad : cell.lo;
       ends[e].hi = is_whole ? bad : cell.hi;
       if (is_whole) ends[e].open.clear();
@@ -610,6 +626,7 @@ private:
   std::vector<std::array<std::optional<Corner_zeros>, 4>> corners_;
   Product_table table_, size_;
   std::vector<Violator> violators_;
+  std::vector<Cell> crowded_; ///< with too many parts of v to go on
   std::vector<Open_requirement> kept_, todo_; ///< of the cell at hand
   bool violated_at_high_end_ = false;
   std::vector<Found> found_;

@@ -11,7 +11,7 @@ namespace locus {
 /// A requirement on the part of v that a node of its tree stands for.
 struct Open_requirement {
   std::size_t requirement = 0, node = 0;
-  int slope = 0; ///< of a·b in u on the cell: 1 nowhere falling, -1 nowhere rising, 0 not known
+  int slope = 0; ///< in u on the cell: 1 nowhere falling, 2 strictly rising, -1 nowhere rising, -2 strictly falling, 0 not known
 };
 
 namespace detail {
