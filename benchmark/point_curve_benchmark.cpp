@@ -6,6 +6,9 @@
 #include "plain_curve.h"
 
 #include <locus/bisector_2.h>
+#include <locus/construct/trimming_by_elimination.h>
+
+#include <flint/flint.h>
 
 #if LOCUS_HAS_OCCT
 #include "peer_occt_point.h"
@@ -173,6 +176,23 @@ void print_occt_points(const Problem& problem)
 }
 #endif
 
+/// The polynomial of self-intersections (95): its real roots, its construction, and both ways of trimming.
+void print_elimination()
+{
+  const locus::Curve_2 cubic = locus::monomial_curve<2>({{{0, 1}, {0, 0, 0, 1}}}, {}, {locus::Rational(-2), locus::Rational(2)});
+  const locus::Coordinates_2 p{"3/4", "1/2"};
+  const locus::Self_intersection_forms forms(cubic.pieces()[0], p.exact());
+  const locus::Integer_polynomial p_i = locus::self_intersection_polynomials(forms).p_i;
+  const std::vector<std::function<void()>> jobs{[&] { keep(locus::real_roots(p_i)); }, [&] { keep(locus::self_intersection_polynomials(forms)); },
+                                                [&] { keep(locus::self_intersections(forms)); }, [&] { keep(locus::trimmed_by_elimination(p, cubic)); },
+                                                [&] { keep(locus::bisector(p, cubic)); }};
+  const auto times = locus_benchmark::side_by_side(jobs, 11, 0.02);
+  std::printf("y = x³ on [-2, 2], p = (0.75, 0.5), µs: %zu real roots of P_i of degree %d %.1f (FLINT " FLINT_VERSION " isolates none: ABSENT);\n"
+              "P_i, Λ, P_c by elimination %.0f; self-intersections as pairs %.0f; trimming by elimination %.0f, directly %.0f\n",
+              locus::real_roots(p_i).size(), locus::degree(p_i), 1e6 * times[0].median, 1e6 * times[1].median, 1e6 * times[2].median,
+              1e6 * times[3].median, 1e6 * times[4].median);
+}
+
 } // namespace
 
 int main()
@@ -184,6 +204,7 @@ int main()
               points_an_arc);
   print_head(contestants(all.front()));
   for (const Problem& problem : all) print_times(problem, contestants(problem));
+  print_elimination();
 #if LOCUS_HAS_OCCT
   std::printf("OCCT's points, of %d a side, whose distances to the point and to the whole curve differ by more than %.0e\n",
               points_an_arc, tolerance);

@@ -5,6 +5,8 @@
 #include <locus/construct/point_cell.h>
 #include <locus/function/root_value.h>
 
+#include <functional>
+
 namespace locus {
 namespace detail {
 
@@ -23,19 +25,20 @@ public:
   {
   }
 
-  /// `side` 0 for the low end of a stretch, 1 for the high one.
-  std::vector<Cell_contact> at(const Feasible_end& end, int side)
+  /// `side` 0 for the low end of a stretch, 1 for the high one. Places that are known to be contacts are left out.
+  std::vector<Cell_contact> at(const Feasible_end& end, int side, const std::function<bool(const Cell_contact&)>& is_known)
   {
     if (end.is_exact()) return at_exactly(end.lo);
     std::vector<Candidate> candidates;
     const double bad = side == 0 ? end.lo : end.hi;
     for (const Open_requirement& r : end.open) collect(r, bad, candidates);
     join_neighbours(candidates);
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), [&](const Candidate& c) { return is_known({c.piece, c.lo, c.hi}); }), candidates.end());
     // What doubles could not tell: beyond the end a contact's requirement fails.
     Requirement_signs signs(feature_.requirements, counts_);
     const auto holds = [&](const Candidate& c) { return signs.at(c.open, bad) != Sign::negative; };
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(), holds), candidates.end());
-    if (candidates.size() > 1) keep_binding(candidates, end, side);
+    if (!candidates.empty()) keep_binding(candidates, end, side);
     std::vector<Cell_contact> contacts;
     for (const Candidate& c : candidates) contacts.push_back(narrowed(c, end));
     return contacts;
@@ -91,23 +94,18 @@ private:
     candidates = std::move(joined);
   }
 
-  /// Of several the ones that fail first.
+  /// The ones that fail as soon as anything does.
   void keep_binding(std::vector<Candidate>& candidates, const Feasible_end& end, int side)
   {
-    std::vector<Feasible_end> own;
-    for (const Candidate& c : candidates) {
-      Feasible_end e = end;
-      e.algebraic = nullptr;
-      e.open = c.open;
-      refiner_.narrow(e, side, 0x1p-48);
-      own.push_back(std::move(e));
-    }
+    if (candidates.size() == 1 && end.open.size() == candidates[0].open.size()) return;
     std::vector<Candidate> kept;
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      bool binds = true;
-      for (std::size_t j = 0; j < own.size() && binds; ++j)
-        if (j != i) binds = is_no_looser(own[i], own[j], side);
-      if (binds) kept.push_back(candidates[i]);
+    Feasible_end all = end;
+    for (const Candidate& c : candidates) {
+      Feasible_end own = end;
+      own.algebraic = nullptr;
+      own.open = c.open;
+      refiner_.narrow(own, side, 0x1p-48);
+      if (is_no_looser(own, all, side)) kept.push_back(c);
     }
     candidates = std::move(kept);
   }

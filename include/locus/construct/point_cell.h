@@ -74,17 +74,19 @@ private:
   /// As closely as an end is enclosed before anything is made of it.
   static constexpr double end_width = 0x1p-42;
 
-  /// Whether the boundary's point is far from being known where the parameter is enclosed so closely.
+  /// Whether the boundary's point is far from being known where the parameter is enclosed so closely; about.
   static bool is_sensitive(const Cell_feature& feature, const Feasible_end& end)
   {
     if (end.is_exact()) return false;
-    const Enclosed_vector t = feature.tangent_tree->node(0).f.over(end.lo, end.hi);
-    const Interval w = t.interval_form(2)[0];
-    if (contains_zero(w)) return true;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Interval q = t.interval_form(k)[0] / w;
-      if (!(width(q) <= 1e-9 * std::max(1.0, magnitude(q)))) return true;
-    }
+    const auto point = [&](double u) {
+      const auto fresh = feature.tangent_tree->fresh_at(u);
+      const Enclosed_vector rough = feature.tangent_tree->node(0).f.at(u);
+      const auto value = [&](std::size_t k) { return midpoint(fresh ? (*fresh)[k] : rough.interval_form(k)[0]); };
+      return std::array<double, 2>{value(0) / value(2), value(1) / value(2)};
+    };
+    const auto a = point(end.lo), b = point(end.hi);
+    for (std::size_t k = 0; k < 2; ++k)
+      if (!(std::abs(b[k] - a[k]) <= 1e-9 * std::max(1.0, std::abs(a[k])))) return true;
     return false;
   }
 

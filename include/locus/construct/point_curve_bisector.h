@@ -224,7 +224,11 @@ private:
   void add_contacts(Locus_vertex<2>& v, std::size_t stretch, std::size_t e)
   {
     const Cell_stretch& s = cell_.stretches()[stretch];
-    for (const Cell_contact& c : Contact_finder(feature_of(s), filter_).at(s.ends[e], static_cast<int>(e))) {
+    const auto is_known = [&](const Cell_contact& c) {
+      const Range range = seen_.range_of(c.piece).at(Interval(c.lo, c.hi));
+      return std::any_of(v.feet.begin(), v.feet.end(), [&](const Foot& f) { return seen_.may_be_one_place(range, f.parameters[0]); });
+    };
+    for (const Cell_contact& c : Contact_finder(feature_of(s), filter_).at(s.ends[e], static_cast<int>(e), is_known)) {
       Foot foot;
       foot.input = curve_input_;
       foot.parameters = {seen_.range_of(c.piece).at(Interval(c.lo, c.hi))};
@@ -353,7 +357,7 @@ private:
   double spread_at(std::size_t s, const Feasible_end& end) const
   {
     const double rough = work_->at(s, enclosure(end)).error();
-    if (rough <= 1e-10 * work_->scale) return rough;
+    if (rough <= 1e-7 * work_->scale) return rough;
     const Curve_piece<2>& forms = work_->pieces[s].forms.get();
     const auto part = [&](const Bernstein<Rational, 1>& f) { return enclosed(restrict_to(f, 0, Rational(end.lo), Rational(end.hi))); };
     const auto weight = part(forms.weight);

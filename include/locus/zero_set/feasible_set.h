@@ -74,6 +74,7 @@ private:
   struct Rooted {
     Enclosed_vector middle, a;
     std::optional<Root_enclosure> root;
+    bool is_steep = false; ///< the square grows so much that other things will turn fast, too
     std::optional<std::array<Vector_form, 2>> exact; ///< of both
   };
 
@@ -87,7 +88,7 @@ private:
     double width() const { return hi - lo; }
   };
 
-  enum class Outcome { satisfied, violated, open };
+  enum class Outcome { satisfied, violated, open, waiting }; ///< waiting for smaller cells, not for smaller parts of v
 
   std::size_t family_of(Vector_tree* a)
   {
@@ -128,7 +129,11 @@ private:
         return;
       }
       if (outcome == Outcome::satisfied) continue;
-      if (kept.size() + todo.size() > most_parts) { // as where a requirement vanishes for all v at one u
+      if (outcome == Outcome::waiting) {
+        kept.push_back(r);
+        continue;
+      }
+      if (kept.size() + todo.size() > (groups_.empty() ? most_parts + 8 * requirements_.size() : most_parts * requirements_.size())) { // as where a requirement vanishes for all v at one u
         kept.push_back(r);
         kept.insert(kept.end(), todo.begin(), todo.end());
         cell.open = kept;
@@ -283,7 +288,7 @@ private:
     const auto& node = requirement.b->node(r.node);
     Rooted& rooted = rooted_on(cell, group_[r.requirement]);
     r.slope = 0;
-    if (!rooted.root) return Outcome::open;
+    if (!rooted.root) return Outcome::waiting;
     const double e = rooted.root->error;
     table_.make(rooted.middle, node.f);
     size_.make(rooted.a, node.f);
@@ -309,6 +314,7 @@ private:
     };
     auto [outcome, unknown] = judge(sign(-e), sign(e), rise, r.slope);
     if (slope_unknown) r.slope = 0;
+    if (outcome == Outcome::open && r.slope == 0 && rooted.is_steep) outcome = Outcome::waiting;
     result_.filter.record(Rung::bounded, !unknown);
     // Exact coefficients tell more only where the root is known better than they are.
     if (outcome != Outcome::open || !unknown || depth < exact_from || !(64 * e * greatest < table_.error)) return outcome;
@@ -348,6 +354,8 @@ private:
     const auto [a, rest, square] = groups_[group];
     rooted->root = root_enclosure(cell.a[square]);
     if (!rooted->root) return *rooted;
+    const auto [least, greatest] = std::minmax_element(cell.a[square].component(0), cell.a[square].component(0) + cell.a[square].count());
+    rooted->is_steep = *greatest > 16 * *least;
     rooted->middle = combined(Bernstein<Bounded, 1>(rooted->root->near, 0), cell.a[a], cell.a[rest]);
     rooted->a = elevated(cell.a[a], rooted->root->near.degree());
     return *rooted;
@@ -393,16 +401,18 @@ private:
       }
       column_unknown = column_unknown || possible;
     }
-    bool rising = true, falling = true, strict = table_.rows > 1, slope_unknown = false;
+    bool rising = true, falling = true, slope_unknown = false;
+    std::array<bool, 2> moves{}; // on the first, on the last column: with both it does for every v
     for (std::size_t i = 0; i + 1 < table_.rows; ++i)
       for (std::size_t j = 0; j < table_.columns; ++j) {
         const Sign s = rise(i, j);
-        strict = strict && s != Sign::zero;
+        moves[0] = moves[0] || (j == 0 && s != Sign::zero);
+        moves[1] = moves[1] || (j + 1 == table_.columns && s != Sign::zero);
         rising = rising && (s == Sign::positive || s == Sign::zero);
         falling = falling && (s == Sign::negative || s == Sign::zero);
         slope_unknown = slope_unknown || s == Sign::unknown;
       }
-    slope = (rising ? 1 : falling ? -1 : 0) * (strict ? 2 : 1);
+    slope = (rising ? 1 : falling ? -1 : 0) * (moves[0] && moves[1] ? 2 : 1);
     return {Outcome::open, (any_unknown && !any_negative) || column_unknown || (slope_unknown && slope == 0)};
   }
 
