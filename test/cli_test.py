@@ -238,8 +238,7 @@ INVALID = [
 MISSING = [
     ("trimmed by default", job((("options",),)), ["options.trimmed"]),
     ("trimmed", job((("options", "trimmed"), True)), ["options.trimmed"]),
-    ("point and curve", job((("inputs", 1), {"point": [0.1, "1/3"]})), ["inputs[1]", "point"]),
-    ("two points", job((("inputs",), [{"point": [0, 0]}, {"point": [1, 1]}])), ["inputs[0]", "point"]),
+    ("two points", job((("inputs",), [{"point": [0, 0]}, {"point": [1, 1]}])), ["inputs[1]", "point"]),
     ("one curve in space", job((("inputs",), [SPACE])), ["inputs[0]", "self-bisector", "space"]),
     ("one curve in space, trimmed", job((("inputs",), [SPACE]), (("options",),)), ["inputs[0]", "self-bisector", "space"]),
     ("curves in space, trimmed", job((("inputs",), [SPACE, SPACE]), (("options", "trimmed"), True)), ["options.trimmed"]),

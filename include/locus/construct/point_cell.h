@@ -61,8 +61,8 @@ private:
       for (int e = 0; e < 2; ++e) {
         const auto i = static_cast<std::size_t>(e);
         refiner.narrow(interval.ends[i], e, end_width);
-        if (is_sensitive(feature, interval.ends[i])) refiner.narrow(interval.ends[i], e, 0x1p-52, 0x1p-52);
         stretch.infinite[i] = is_infinite(feature, interval.ends[i], e, refiner);
+        if (!stretch.infinite[i] && is_sensitive(feature, interval.ends[i])) refiner.narrow(interval.ends[i], e, 0x1p-52, 0x1p-52);
         stretch.ends[i] = std::move(interval.ends[i]);
       }
       if (!(stretch.ends[0].hi < stretch.inside && stretch.inside < stretch.ends[1].lo))
