@@ -181,8 +181,9 @@ private:
       }
   }
 
-  /// The parameters inside a piece at which the curve passes a place, given relative to the point.
-  static std::vector<Rational> places_of(const Seen_piece& seen, const std::array<Rational, 2>& place)
+  /// The parameters inside a piece at which the curve passes a place, given relative to the point. Irrational ones, where it crosses
+  /// itself, are left out where nothing begins there: a path that two pieces share begins at rational ones.
+  static std::vector<Rational> places_of(const Seen_piece& seen, const std::array<Rational, 2>& place, bool all = true)
   {
     Polynomial_vector<1, 2> from = seen.offset;
     std::array<Bernstein<Interval, 1>, 2> enclosures;
@@ -192,7 +193,7 @@ private:
     }
     const auto square = add(multiply(enclosures[0], enclosures[0]), multiply(enclosures[1], enclosures[1]));
     if (std::all_of(square.coefficients().begin(), square.coefficients().end(), [](const Interval& c) { return c.inf() > 0; })) return {};
-    return inner_rational_roots(common_factor(from), "a point on the curve at an irrational parameter, where the curve crosses itself");
+    return inner_rational_roots(common_factor(from), all ? "a point on the curve at an irrational parameter, where the curve crosses itself" : nullptr);
   }
 
   static std::vector<Rational> inner_rational_roots(const Integer_polynomial& f, const char* if_irrational)
@@ -202,8 +203,8 @@ private:
     for (const auto& root : exact_roots(bernstein_form(f), Rational(0), Rational(1)).roots) {
       if (root.is_exact() && (root.lo == 0 || root.lo == 1)) continue;
       const auto s = rational_value(root);
-      if (!s) throw Unsupported_feature(if_irrational);
-      places.push_back(*s);
+      if (!s && if_irrational) throw Unsupported_feature(if_irrational);
+      if (s) places.push_back(*s);
     }
     return places;
   }
@@ -244,7 +245,7 @@ private:
         if (i != j && boxes_meet(i, j))
           for (const int end : {0, 1}) {
             if (end_weight(j, end) == 0) continue;
-            for (const Rational& s : places_of(pieces_[i], end_place(j, end))) {
+            for (const Rational& s : places_of(pieces_[i], end_place(j, end), false)) {
               cuts[i].push_back(s);
               any = true;
             }
