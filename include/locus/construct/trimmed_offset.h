@@ -262,7 +262,7 @@ public:
     points_.push_back(work_.at(stretch_.piece, distance_, Interval(stretch_.lo)));
     if (line_of(work_.pieces[stretch_.piece].curve())) points_.push_back(work_.at(stretch_.piece, distance_, Interval(stretch_.hi)));
     else descend(stretch_.lo, stretch_.hi, 0);
-    double error = work_.frame.length(Interval(deviation_)).sup();
+    double error = work_.frame.length(Interval(0, deviation_)).sup(); // an infinite one, too, where nothing is proved
     double point_error = 0;
     for (const auto& p : points_) point_error = std::max(point_error, p.error());
     error += point_error + stretch_.end_error;
@@ -298,11 +298,11 @@ private:
       const Interval x = Interval(along[0]) / Interval(length), y = Interval(along[1]) / Interval(length), forward = x * jets[0].first + y * jets[1].first;
       if (forward.inf() > 0) {
         const Interval size = CGAL::sqrt(CGAL::square(x) + CGAL::square(y)), inclined = CGAL::abs(x * jets[1].first - y * jets[0].first) / forward;
-        const Interval across = CGAL::abs(x * jets[1].second - y * jets[0].second) / size + inclined * Interval(bend);
+        const Interval across = CGAL::abs(x * jets[1].second - y * jets[0].second) / size + inclined * Interval(0, bend);
         bend = std::min(bend, across.sup());
       }
     }
-    const double d = (Interval(bend) * CGAL::square(Interval(hi) - Interval(lo)) / Interval(8)).sup();
+    const double d = (Interval(0, bend) * CGAL::square(Interval(hi) - Interval(lo)) / Interval(8)).sup();
     return d >= 0 ? d : std::numeric_limits<double>::infinity();
   }
 
@@ -398,6 +398,7 @@ public:
         if (end.kind == Offset_end_kind::infinity) (e == 0 ? stretch.lo : stretch.hi) = stop_before(stretch, e);
         else if (!f.ends[static_cast<std::size_t>(e)].is_exact()) stretch.end_error = std::max(stretch.end_error, end.error);
       }
+      if (stretch.lo > stretch.hi) std::swap(stretch.lo, stretch.hi); // as short as its ends' enclosures
       work_->stretches.push_back(stretch);
       intervals.push_back(std::move(interval));
     }
