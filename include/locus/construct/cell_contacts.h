@@ -33,12 +33,14 @@ public:
     const double bad = side == 0 ? end.lo : end.hi;
     for (const Open_requirement& r : end.open) collect(r, bad, candidates);
     join_neighbours(candidates);
-    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), [&](const Candidate& c) { return is_known({c.piece, c.lo, c.hi}); }), candidates.end());
     // What doubles could not tell: beyond the end a contact's requirement fails.
     Requirement_signs signs(feature_.requirements, counts_);
     const auto holds = [&](const Candidate& c) { return signs.at(c.open, bad) != Sign::negative; };
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(), holds), candidates.end());
-    if (!candidates.empty()) keep_binding(candidates, end, side);
+    const bool is_only_one = candidates.size() == 1; // which then is what binds
+    const auto is_told = [&](const Candidate& c) { return is_known({c.piece, c.lo, c.hi}); };
+    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_told), candidates.end());
+    if (!is_only_one && !candidates.empty()) keep_binding(candidates, end, side);
     std::vector<Cell_contact> contacts;
     for (const Candidate& c : candidates) contacts.push_back(narrowed(c, end));
     return contacts;
@@ -97,7 +99,6 @@ private:
   /// The ones that fail as soon as anything does.
   void keep_binding(std::vector<Candidate>& candidates, const Feasible_end& end, int side)
   {
-    if (candidates.size() == 1 && end.open.size() == candidates[0].open.size()) return;
     std::vector<Candidate> kept;
     Feasible_end all = end;
     for (const Candidate& c : candidates) {

@@ -11,10 +11,18 @@ namespace locus {
 class Parameter_range {
 public:
   Parameter_range() = default;
-  explicit Parameter_range(const Piece& piece)
-    : lo_(enclosing(piece.lo)), hi_(enclosing(piece.hi)), lo_infinite_(piece.lo_infinite), hi_infinite_(piece.hi_infinite)
+  explicit Parameter_range(const Piece& piece) : Parameter_range(piece, Rational(0), Rational(1)) {}
+
+  /// Of the part [from, to] of a piece's unit interval: the unit interval stands for it. What is cut out of a projective piece
+  /// is not affine, though both its ends may be finite.
+  Parameter_range(const Piece& whole, const Rational& from, const Rational& to)
+    : lo_infinite_(whole.lo_infinite && from == 0), hi_infinite_(whole.hi_infinite && to == 1)
   {
-    is_unit_ = piece.is_finite() && piece.lo == 0 && piece.hi == 1;
+    if (!lo_infinite_) lo_ = enclosing(*whole.at(from));
+    if (!hi_infinite_) hi_ = enclosing(*whole.at(to));
+    is_unit_ = whole.is_finite() && lo_.is_point() && hi_.is_point() && lo_.inf() == 0 && hi_.inf() == 1;
+    if (whole.hi_infinite) pole_ = {enclosing(whole.lo), enclosing(Rational(1 - from)), enclosing(Rational(1 - to))};
+    if (whole.lo_infinite) pole_ = {enclosing(whole.hi), enclosing(from), enclosing(to)};
   }
 
   /// One value for all of the unit interval.
@@ -32,12 +40,17 @@ public:
     if (constant_) return *constant_;
     if (u.sup() == 0) return lo_infinite_ ? Range{-infinite, -infinite} : Range{lo_.inf(), lo_.sup()};
     if (u.inf() == 1) return hi_infinite_ ? Range{infinite, infinite} : Range{hi_.inf(), hi_.sup()};
-    if (hi_infinite_) return clipped(lo_ / (Interval(1) - Interval(u.inf(), std::min(1.0, u.sup()))));
-    if (lo_infinite_) return clipped(hi_ / Interval(std::max(0.0, u.inf()), u.sup()));
+    const Interval s(std::max(0.0, u.inf()), std::min(1.0, u.sup()));
+    if (pole_) return clipped(pole_->factor / ((Interval(1) - s) * pole_->from + s * pole_->to));
     return clipped(is_unit_ ? u : lo_ + u * (hi_ - lo_));
   }
 
 private:
+  /// u = factor/t with t from `from` to `to`, one of which is zero where the range reaches infinity.
+  struct Pole {
+    Interval factor, from, to;
+  };
+
   Range clipped(const Interval& p) const
   {
     return {lo_infinite_ ? p.inf() : std::max(p.inf(), lo_.inf()), hi_infinite_ ? p.sup() : std::min(p.sup(), hi_.sup())};
@@ -45,6 +58,7 @@ private:
 
   Interval lo_ = Interval(0), hi_ = Interval(1);
   bool lo_infinite_ = false, hi_infinite_ = false, is_unit_ = true;
+  std::optional<Pole> pole_;
   std::optional<Range> constant_;
 };
 

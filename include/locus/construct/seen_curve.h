@@ -106,7 +106,7 @@ public:
   /// Whether the next piece at an end is this one, with the same tangent.
   bool goes_on_smoothly(std::size_t piece, int end, std::size_t next) const
   {
-    return goes_on_smoothly_at(piece, end) && next == (is_cut(piece, end) ? (end == 1 ? piece + 1 : piece - 1) : neighbour(piece, end));
+    return goes_on_smoothly_at(piece, end) && next == next_at(piece, end);
   }
 
   Cell_features features() const
@@ -164,7 +164,7 @@ private:
         part.starts_at_cusp = k == 0 ? seen.starts_at_cusp : is_cusp(cuts[k]);
         part.ends_at_cusp = k + 2 == cuts.size() ? seen.ends_at_cusp : is_cusp(cuts[k + 1]);
       }
-      ranges_.push_back(range_between(part.source, part.from, part.to));
+      ranges_.emplace_back(chain_.pieces[part.source], part.from, part.to);
       pieces_.push_back(std::move(part));
     }
   }
@@ -257,10 +257,43 @@ private:
       for (std::size_t i = 0; i < whole.size(); ++i) add_parts(whole[i], std::move(cuts[i]), {});
       note_boxes();
     }
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-      for (std::size_t j = 0; j < i && !pieces_[i].is_redundant; ++j)
-        pieces_[i].is_redundant = !pieces_[j].is_redundant && boxes_meet(i, j) && is_one_path(pieces_[i], pieces_[j], i, j);
+    keep_one_of_each_path();
   }
+
+  /// Of the pieces on one path the one that goes on where kept ones end, so that chains keep their sense.
+  void keep_one_of_each_path()
+  {
+    const std::size_t n = pieces_.size();
+    std::vector<std::size_t> path(n); // its first piece
+    std::vector<char> is_shared(n, 0);
+    for (std::size_t i = 0; i < n; ++i) {
+      path[i] = i;
+      for (std::size_t j = 0; j < i && path[i] == i; ++j)
+        if (path[j] == j && boxes_meet(i, j) && is_one_path(pieces_[i], pieces_[j], i, j)) path[i] = j;
+      if (path[i] != i) is_shared[path[i]] = pieces_[i].is_redundant = true;
+    }
+    std::vector<char> is_open = is_shared; // paths whose piece is not chosen yet, by their first pieces
+    const auto is_kept = [&](std::size_t i) { return !is_open[path[i]] && !pieces_[i].is_redundant; };
+    const auto goes_on_from_kept = [&](std::size_t i) {
+      return std::any_of(std::begin(both_ends), std::end(both_ends), [&](int end) { return goes_on_smoothly_at(i, end) && is_kept(next_at(i, end)); });
+    };
+    const auto choose = [&](std::size_t i) {
+      pieces_[path[i]].is_redundant = true;
+      pieces_[i].is_redundant = false;
+      is_open[path[i]] = false;
+    };
+    for (;;) {
+      std::size_t chosen = n;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (!is_open[path[i]]) continue;
+        if (chosen == n || goes_on_from_kept(i)) chosen = i;
+        if (goes_on_from_kept(i)) break;
+      }
+      if (chosen == n) return;
+      choose(chosen);
+    }
+  }
+  static constexpr int both_ends[] = {0, 1};
 
   const Rational& end_weight(std::size_t i, int end) const { return pieces_[i].weight[end == 0 ? 0 : pieces_[i].weight.size() - 1]; }
 
@@ -314,21 +347,6 @@ private:
 
   bool boxes_meet(std::size_t i, std::size_t j) const { return overlap(boxes_[i][0], boxes_[j][0]) && overlap(boxes_[i][1], boxes_[j][1]); }
 
-  Parameter_range range_between(std::size_t source, const Rational& from, const Rational& to) const
-  {
-    const Piece& whole = chain_.pieces[source];
-    Piece part = whole;
-    if (from != 0) {
-      part.lo = *whole.at(from);
-      part.lo_infinite = false;
-    }
-    if (to != 1) {
-      part.hi = *whole.at(to);
-      part.hi_infinite = false;
-    }
-    return Parameter_range(part);
-  }
-
   bool is_cut(std::size_t piece, int end) const { return end == 0 ? pieces_[piece].from != 0 : pieces_[piece].to != 1; }
   bool is_cusp(std::size_t piece, int end) const { return end == 0 ? pieces_[piece].starts_at_cusp : pieces_[piece].ends_at_cusp; }
 
@@ -346,9 +364,10 @@ private:
   /// infinity the inverted curve goes on through the point's own image.
   static bool is_smooth(const Joint& joint) { return (joint.goes_on() && !joint.by_tolerance) || joint.kind == Joint_kind::pole; }
 
-  std::size_t neighbour(std::size_t piece, int end) const
+  /// The piece behind an end that is a cut or a joint.
+  std::size_t next_at(std::size_t piece, int end) const
   {
-    const std::size_t n = pieces_.size();
+    const std::size_t n = pieces_.size(); // parts of a piece follow one another
     return end == 1 ? (piece + 1) % n : (piece + n - 1) % n;
   }
 
