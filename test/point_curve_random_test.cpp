@@ -1704,6 +1704,9 @@ void add_retraced(std::vector<Special>& all)
   // (t, 0)/(t² - 1): each point of the line twice, at t and at -1/t.
   all.push_back({"line traced twice through infinity", named_monomial({std::vector<Rational>{0, 1}, std::vector<Rational>{0}}, {-1, 0, 1}, {}), at(0, 1),
                  {1, false, {}, {{0, 1}, {0, 1}}, 0, false}});
+  // Parts of the path are passed twice, in both senses; what is kept must run through the seam.
+  all.push_back({"segment there and back from its inside", named_polyline({at(0, 0), at(0, -1), at(0, 1)}, true), at(1, Rational(-3, 2)),
+                 {3, false, {{{0.625, -1}, {{0, -1}}}, {{3.625, 1}, {{0, 1}}}}, {{-1, -2}, {5, 2}}, 0, false}});
   all.push_back({"segment with a standstill", named_bezier({at(-1, 0), at(1, 0), at(-1, 0), at(1, 0)}), at(0, 1),
                  {3, false, {{{-1, 1}, {{-1, 0}}}, {{1, 1}, {{1, 0}}}}, {{-1, 1}, {1, 1}}, 0, false}});
   all.push_back({"segment with a standstill, on it", named_bezier({at(-1, 0), at(1, 0), at(-1, 0), at(1, 0)}), at(0, 0), {1, false, {}, {{0, 1}, {0, -1}}, 0, false}});
@@ -1737,6 +1740,9 @@ void add_cusps(std::vector<Special>& all)
 
 void add_others(std::vector<Special>& all)
 {
+  // The other foot's parameter, 3, lies between 1 and the point's, 7: on the finite part of a projective piece.
+  all.push_back({"on a parabola, where its parameter is projective", named_monomial({std::vector<Rational>{-5, 1}, std::vector<Rational>{25, -10, 1}}, {}, {}), at(2, 4),
+                 {1, false, {{{0, 4.5}, {{2, 4}, {-2, 4}}, 1e-7}}, {{4, -1}}, 0, false}});
   const Named_curve quartic = named_monomial({std::vector<Rational>{0, 1}, std::vector<Rational>{0, 0, 0, 0, 1}}, {}, {Rational(-2), Rational(2)});
   const auto pair = [](double u) { return std::vector<Plane_point>{{u, u * u * u * u}, {-u, u * u * u * u}}; };
   const auto on_axis = [&](double u, double tolerance) { return Expected_vertex{{0, u * u * u * u + 1 / (4 * u * u)}, pair(u), tolerance}; };
@@ -1820,7 +1826,7 @@ Curve_2 moved(const Curve_2& curve, const Rational& factor, const Rational& shif
 
 TEST_CASE("random points and curves: exact samples and a dense search", "[point_curve_random]")
 {
-  const std::size_t from = number_from("LOCUS_POINT_CURVE_FROM", 0), count = number_from("LOCUS_POINT_CURVE_COUNT", 1500);
+  const std::size_t from = number_from("LOCUS_POINT_CURVE_FROM", 0), count = number_from("LOCUS_POINT_CURVE_COUNT", 5000);
   Report report;
   for (std::size_t number = from; number < from + count; ++number) run_job(report, random_job(number), "job " + std::to_string(number));
   std::cerr << report.text() << std::endl;
