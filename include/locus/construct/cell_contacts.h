@@ -33,13 +33,15 @@ public:
     const double bad = side == 0 ? end.lo : end.hi;
     for (const Open_requirement& r : end.open) collect(r, bad, candidates);
     join_neighbours(candidates);
+    const auto is_told = [&](const Candidate& c) { return is_known({c.piece, c.lo, c.hi}); };
+    const auto first_told = std::stable_partition(candidates.begin(), candidates.end(), [&](const Candidate& c) { return !is_told(c); });
+    const std::vector<Candidate> told(std::make_move_iterator(first_told), std::make_move_iterator(candidates.end()));
+    candidates.erase(first_told, candidates.end());
     // What doubles could not tell: beyond the end a contact's requirement fails.
     Requirement_signs signs(feature_.requirements, counts_);
     const auto holds = [&](const Candidate& c) { return signs.at(c.open, bad) != Sign::negative; };
     candidates.erase(std::remove_if(candidates.begin(), candidates.end(), holds), candidates.end());
-    const bool is_only_one = candidates.size() == 1; // which then is what binds
-    const auto is_told = [&](const Candidate& c) { return is_known({c.piece, c.lo, c.hi}); };
-    candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_told), candidates.end());
+    const bool is_only_one = candidates.size() == 1 && std::all_of(told.begin(), told.end(), holds); // which then is what binds
     if (!is_only_one && !candidates.empty()) keep_binding(candidates, end, side);
     std::vector<Cell_contact> contacts;
     for (const Candidate& c : candidates) contacts.push_back(narrowed(c, end));
