@@ -464,7 +464,7 @@ struct Dense_part {
 /// The support function of the inverted curve: in the direction θ the cell reaches 1/max(g·e).
 class Dense_search {
 public:
-  Dense_search(const Plain_curve& curve, double scale) : curve_(curve)
+  Dense_search(const Plain_curve& curve, double scale)
   {
     const int n = curve.pieces.size() > 4 ? 96 : 192;
     for (const Plain_piece& piece : curve.pieces) {
@@ -662,7 +662,6 @@ private:
     return std::max({fc, fd, f(part.t[at])});
   }
 
-  const Plain_curve& curve_;
   std::vector<Dense_part> parts_;
   std::vector<Exact_part> exact_parts_;
   bool is_near_ = false;
