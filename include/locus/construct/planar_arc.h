@@ -2,8 +2,7 @@
 #ifndef LOCUS_CONSTRUCT_PLANAR_ARC_H
 #define LOCUS_CONSTRUCT_PLANAR_ARC_H
 
-#include <locus/construct/planar_solution.h>
-#include <locus/zero_set/piece_evaluation.h>
+#include <locus/construct/arc_steps.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,12 @@ namespace detail {
 /// One arc of a planar bisector, evaluated on the cells of its zero set.
 class Planar_arc final : public Arc_geometry<2> {
 public:
-  Planar_arc(std::shared_ptr<const Planar_solution> solution, std::size_t arc) : s_(std::move(solution)), arc_(arc) {}
+  Planar_arc(std::shared_ptr<const Planar_solution> solution, std::size_t arc) : s_(solution), steps_(std::move(solution), arc), part_(steps_.whole()) {}
+  /// A part of it, whose ends may be `end_error` away from what they stand for, in the inputs' units.
+  Planar_arc(std::shared_ptr<const Planar_solution> solution, std::size_t arc, const Arc_part& part, double end_error)
+    : s_(solution), steps_(std::move(solution), arc), part_(part), end_error_(end_error)
+  {
+  }
 
   Arc_point<2> at(double x) const override
   {
@@ -48,58 +52,17 @@ public:
   }
 
 private:
-  /// A step of the arc with the part of its base range that lies within the cut radius.
-  struct Stretch {
-    std::size_t patch = 0;
-    const Graph_piece* piece = nullptr;
-    const Curve_graph::Cell_form* form = nullptr;
-    bool reversed = false;
-    Interval lo, hi;                    ///< base values at the piece's own ends
-    bool lo_cut = false, hi_cut = false; ///< an end is a pole: `lo` or `hi` has been moved inward to a finite point
-    bool is_beyond = false;              ///< on the way from a pole, and proved to lie outside the cut radius
-  };
+  using Stretch = Arc_stretch;
 
-  const Patchwork_arc& graph_arc() const { return s_->work.arcs[arc_]; }
-  const Planar_patch& patch(const Stretch& s) const { return s_->patches[s.patch]; }
-  const Graph_vertex& vertex(const Stretch& s, std::size_t v) const { return s_->work.patches[s.patch].graph.vertices[v]; }
-  bool is_pole(const Stretch& s, std::size_t v) const { return s_->work.patches[s.patch].is_pole[v]; }
-
-  Placed place_vertex(const Stretch& s, std::size_t v) const
-  {
-    Placed p = detail::place_vertex(patch(s), v, vertex(s, v).at);
-    p.between = between(s);
-    return p;
-  }
-  Placed place_on(const Stretch& s, const std::array<Interval, 2>& at) const { return place(patch(s), at, between(s)); }
-  int between(const Stretch& s) const
-  {
-    const int from = patch(s).contact_at(s.piece->from);
-    return from != 0 ? from : patch(s).contact_at(s.piece->to);
-  }
+  const Planar_patch& patch(const Stretch& s) const { return steps_.patch(s); }
+  const Graph_vertex& vertex(const Stretch& s, std::size_t v) const { return steps_.vertex(s, v); }
+  bool is_pole(const Stretch& s, std::size_t v) const { return steps_.is_pole(s, v); }
+  Placed place_vertex(const Stretch& s, std::size_t v) const { return steps_.place_vertex(s, v); }
+  Placed place_on(const Stretch& s, const std::array<Interval, 2>& at) const { return steps_.place_on(s, at); }
   static Placed place_beside(const Placed& p, const std::array<Interval, 2>& at) { return place(*p.patch, at, p.between); }
-
-  std::array<Interval, 2> parameters(const Piece_evaluator& e, double base, double guess, double wanted_width = 5e-13) const
+  static std::array<Interval, 2> parameters(const Piece_evaluator& e, double base, double guess, double wanted_width = 5e-13)
   {
-    std::array<Interval, 2> at;
-    at[static_cast<std::size_t>(e.base())] = Interval(base);
-    at[static_cast<std::size_t>(e.pivot())] = e.pivot_at(base, guess, wanted_width);
-    return at;
-  }
-
-  Stretch whole_stretch(std::size_t step) const
-  {
-    const Patchwork_arc::Step& at = graph_arc().steps[step];
-    const Curve_graph& graph = s_->work.patches[at.patch].graph;
-    Stretch s;
-    s.patch = at.patch;
-    s.piece = &graph.pieces[at.piece];
-    s.form = &graph.forms[at.piece];
-    s.reversed = at.reversed;
-    if (s.piece->is_half_branch) return s;
-    const auto base = static_cast<std::size_t>(s.piece->base);
-    s.lo = vertex(s, s.piece->from).at[base];
-    s.hi = vertex(s, s.piece->to).at[base];
-    return s;
+    return Arc_steps::parameters(e, base, guess, wanted_width);
   }
 
   /// The arc's steps, cut on the way from each pole until the arc comes within the cut radius. Never none; found out once.
@@ -111,8 +74,7 @@ private:
 
   std::vector<Stretch> cut_stretches() const
   {
-    std::vector<Stretch> all, near;
-    for (std::size_t k = 0; k < graph_arc().steps.size(); ++k) all.push_back(whole_stretch(k));
+    std::vector<Stretch> all = steps_.stretches(part_), near;
     cut_from_pole(all.begin(), all.end(), false);
     cut_from_pole(all.rbegin(), all.rend(), true);
     std::copy_if(all.begin(), all.end(), std::back_inserter(near), [](const Stretch& s) { return !s.is_beyond; });
@@ -133,9 +95,9 @@ private:
   template <class Iterator>
   void cut_from_pole(Iterator first, Iterator last, bool backward) const
   {
-    if (first == last || !(first->piece->is_half_branch || is_pole(*first, entrance(*first, backward)))) return;
+    if (first == last || (backward ? part_.to : part_.from) || !(first->piece->is_half_branch || is_pole(*first, entrance(*first, backward)))) return;
     const auto end = std::prev(last);
-    const bool has_end = !is_pole(*end, entrance(*end, !backward)); // a finite end is drawn wherever it is
+    const bool has_end = (backward ? part_.from : part_.to) || !is_pole(*end, entrance(*end, !backward)); // a finite end is drawn wherever it is
     for (; first != last; ++first)
       if (!cut_at(*first, entrance(*first, backward) == first->piece->from, first != end || !has_end)) return;
   }
@@ -184,7 +146,7 @@ private:
     const Bisector_map_2& map = patch(s).map;
     if (map.least_distance(cell, s_->centre) > s_->cut_radius) return true;
     for (const Contact_place& node : map.nodes())
-      if (const Node_direction* cone = node.cone_of(piece_index(s)))
+      if (const Node_direction* cone = node.cone_of(steps_.piece_index(s)))
         if (map.least_distance(node, cell, *cone, s_->centre) > s_->cut_radius) return true;
     return false;
   }
@@ -273,24 +235,17 @@ private:
     const bool has_cone = is_in_cone(s);
     if (g <= 0 && !has_cone) return place_vertex(s, s.piece->from);
     Placed p = place_vertex(s, g < 0.5 ? s.piece->from : s.piece->to);
-    std::array<Interval, 2> cell;
-    for (std::size_t v = 0; v < 2; ++v) cell[v] = hull(p.at[v], Interval(s.form->box.lo[v], s.form->box.hi[v]));
-    const Placed all = place(patch(s), cell, between(s), piece_index(s));
+    const Placed all = steps_.over_half_branch(s, p);
     p.point = has_cone ? all.point : Vector_2<Interval>{hull(p.point.x, all.point.x), hull(p.point.y, all.point.y)};
     if (has_cone) p.radius = all.radius;
-    if (g > 0) p.at = cell;
+    if (g > 0) p.at = all.at;
     return p;
   }
 
   bool is_in_cone(const Stretch& s) const
   {
     const auto& nodes = patch(s).map.nodes();
-    return std::any_of(nodes.begin(), nodes.end(), [&](const Contact_place& node) { return node.cone_of(piece_index(s)) != nullptr; });
-  }
-
-  std::size_t piece_index(const Stretch& s) const
-  {
-    return static_cast<std::size_t>(s.piece - s_->work.patches[s.patch].graph.pieces.data());
+    return std::any_of(nodes.begin(), nodes.end(), [&](const Contact_place& node) { return node.cone_of(steps_.piece_index(s)) != nullptr; });
   }
 
   std::vector<Arc_point<2>> spread(std::size_t n) const
@@ -471,7 +426,7 @@ private:
       rounding = std::max(rounding, points.back().error());
     }
     const double bend = s_->frame.length(Interval(0, draft.bend)).sup();
-    return {std::move(points), bend + rounding};
+    return {std::move(points), bend + rounding + end_error_};
   }
 
   // ---------------------------------------------------------------------------------- differential geometry
@@ -590,7 +545,9 @@ private:
   }
 
   std::shared_ptr<const Planar_solution> s_;
-  std::size_t arc_;
+  Arc_steps steps_;
+  Arc_part part_;
+  double end_error_ = 0;
   mutable std::once_flag once_;
   mutable std::vector<Stretch> stretches_;
 };

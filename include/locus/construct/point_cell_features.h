@@ -43,7 +43,7 @@ struct Seen_piece {
   std::shared_ptr<Vector_tree> lift;
   std::vector<Bernstein<Interval, 1>> enclosed_lift;
   std::array<std::array<Rational, 3>, 2> end_lift; ///< the lift at both ends
-  std::size_t source = 0; ///< the curve's piece
+  std::size_t input = 0, source = 0; ///< the curve, and its piece
   Rational from = 0, to = 1; ///< the part of it
   bool starts_at_cusp = false, ends_at_cusp = false;
   bool is_redundant = false; ///< another piece runs along the same path

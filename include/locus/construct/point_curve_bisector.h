@@ -26,8 +26,9 @@ namespace detail {
 /// Makes a locus of a cell's boundary.
 class Point_bisector_maker {
 public:
-  Point_bisector_maker(const Seen_curve& seen, const Point_cell& cell, bool point_first, const Point_bisector_options& options)
-    : seen_(seen), cell_(cell), curve_input_(point_first ? 1 : 0), work_(std::make_shared<Path_work<2>>())
+  /// `own`: the point as a foot, an input itself or an end or a corner of one; `inputs`: the seen curves' numbers.
+  Point_bisector_maker(const Seen_curve& seen, const Point_cell& cell, Foot own, std::vector<std::size_t> inputs, const Point_bisector_options& options)
+    : seen_(seen), cell_(cell), own_(std::move(own)), inputs_(std::move(inputs)), work_(std::make_shared<Path_work<2>>())
   {
     work_->frame = seen.frame();
     work_->scale = seen.extent().scale;
@@ -87,7 +88,22 @@ private:
     w.foot_forms = Lazy<Curve_piece<2>>::from([p = seen_.point()] { return constant(p); });
     w.range = feature.kind == Cell_feature::Kind::arc ? seen_.range_of(feature.piece)
                                                       : Parameter_range::constant(seen_.range_of(feature.piece).at(Interval(feature.end)));
+    if (!own_.parameters.empty()) {
+      w.fixed = own_.parameters[0];
+      w.is_fixed_first = is_own_first(s);
+    }
     work_->pieces.push_back(std::move(w));
+  }
+
+  std::size_t input_of(const Cell_stretch& s) const { return inputs_[seen_.input_of(feature_of(s).piece)]; }
+
+  /// Feet are listed by inputs; two on one input with the greater parameter first.
+  bool is_own_first(const Cell_stretch& s) const
+  {
+    if (own_.input != input_of(s)) return own_.input < input_of(s);
+    const Cell_feature& feature = feature_of(s);
+    const Range other = seen_.range_of(feature.piece).at(Interval(feature.kind == Cell_feature::Kind::arc ? s.inside : feature.end));
+    return own_.parameters[0].lo > other.lo;
   }
 
   static Curve_piece<2> image_of(const Vector_form& tangent, const Exact_point<2>& point)
@@ -110,7 +126,7 @@ private:
   {
     const Cell_feature& feature = feature_of(s);
     Foot foot;
-    foot.input = curve_input_;
+    foot.input = input_of(s);
     const bool at_end = feature.kind != Cell_feature::Kind::arc || end.is_exact();
     const int side = feature.kind != Cell_feature::Kind::arc ? feature.end : end.lo == 0 ? 0 : 1;
     if (at_end && (feature.kind != Cell_feature::Kind::arc || end.lo == 0 || end.lo == 1)) {
@@ -119,14 +135,6 @@ private:
     } else {
       foot.parameters = {seen_.range_of(feature.piece).at(enclosure(end))};
     }
-    return foot;
-  }
-
-  Foot point_foot() const
-  {
-    Foot foot;
-    foot.input = 1 - curve_input_;
-    foot.feature = Feature::point;
     return foot;
   }
 
@@ -226,27 +234,34 @@ private:
     const Cell_stretch& s = cell_.stretches()[stretch];
     const auto is_known = [&](const Cell_contact& c) {
       const Range range = seen_.range_of(c.piece).at(Interval(c.lo, c.hi));
-      return std::any_of(v.feet.begin(), v.feet.end(), [&](const Foot& f) { return seen_.may_be_one_place(range, f.parameters[0]); });
+      return std::any_of(v.feet.begin(), v.feet.end(), [&](const Foot& f) { return f.input == input_of(c) && may_be_one_place(f, range); });
     };
     for (const Cell_contact& c : Contact_finder(feature_of(s), filter_).at(s.ends[e], static_cast<int>(e), is_known)) {
       Foot foot;
-      foot.input = curve_input_;
+      foot.input = input_of(c);
       foot.parameters = {seen_.range_of(c.piece).at(Interval(c.lo, c.hi))};
       if (c.lo == c.hi && (c.lo == 0 || c.lo == 1)) foot.feature = seen_.feature_at(c.piece, c.lo == 0 ? 0 : 1);
       add_foot(v, std::move(foot));
     }
   }
 
+  std::size_t input_of(const Cell_contact& c) const { return inputs_[seen_.input_of(c.piece)]; }
+  bool may_be_one_place(const Foot& foot, const Range& range) const
+  {
+    const auto seen_input = static_cast<std::size_t>(std::find(inputs_.begin(), inputs_.end(), foot.input) - inputs_.begin());
+    return seen_.may_be_one_place(seen_input, foot.parameters[0], range);
+  }
+
   /// Unless one at the same place is there.
   void add_foot(Locus_vertex<2>& v, Foot foot) const
   {
-    const auto meets = [&](const Foot& other) { return seen_.may_be_one_place(foot.parameters[0], other.parameters[0]); };
+    const auto meets = [&](const Foot& other) { return foot.input == other.input && may_be_one_place(foot, other.parameters[0]); };
     if (std::none_of(v.feet.begin(), v.feet.end(), meets)) v.feet.push_back(std::move(foot));
   }
 
   std::size_t finished(Locus_vertex<2> v)
   {
-    v.feet.push_back(point_foot());
+    v.feet.push_back(own_);
     std::stable_sort(v.feet.begin(), v.feet.end(), [](const Foot& x, const Foot& y) { return x.input < y.input; });
     data_.vertices.push_back(std::move(v));
     return data_.vertices.size() - 1;
@@ -306,7 +321,7 @@ private:
   {
     std::vector<char> done(boundary.size(), 0);
     Cell_outline outline;
-    outline.input = 1 - curve_input_;
+    outline.input = own_.input;
     outline.bounded = bounded_;
     for (const bool closed : {false, true})
       for (std::size_t k = 0; k < boundary.size(); ++k) {
@@ -347,10 +362,14 @@ private:
       target = ends_[chain.back()].vertex[1];
     }
     const Cell_feature& feature = feature_of(cell_.stretches()[chain.front()]);
-    std::vector<Feature> features{feature.kind == Cell_feature::Kind::arc ? Feature::interior : seen_.feature_at(feature.piece, feature.end), Feature::point};
-    if (curve_input_ == 1) std::swap(features[0], features[1]);
+    std::vector<Feature> features{feature.kind == Cell_feature::Kind::arc ? Feature::interior : seen_.feature_at(feature.piece, feature.end), own_.feature};
+    std::vector<std::size_t> inputs{input_of(cell_.stretches()[chain.front()]), own_.input};
+    if (is_own_first(cell_.stretches()[chain.front()])) {
+      std::swap(features[0], features[1]);
+      std::swap(inputs[0], inputs[1]);
+    }
     data_.arcs.emplace_back(std::make_shared<const Rational_path<2>>(work_, std::move(legs), Irregular_points<2>{}, end_error), source, target,
-                            std::vector<std::size_t>{0, 1}, std::move(features));
+                            std::move(inputs), std::move(features));
   }
 
   /// How far apart points of one end's enclosure can be: as control points are, where what is enclosed of the whole piece says less.
@@ -437,13 +456,14 @@ private:
     Approximate_point<2> p;
     for (std::size_t k = 0; k < 2; ++k) p[k] = representative(work_->frame.out_of(enclosing(seen_.point()[k]), k));
     v.point = p;
-    v.feet.push_back(point_foot());
+    v.feet.push_back(own_);
     data_.vertices.push_back(std::move(v));
   }
 
   const Seen_curve& seen_;
   const Point_cell& cell_;
-  std::size_t curve_input_;
+  Foot own_;
+  std::vector<std::size_t> inputs_;
   std::shared_ptr<Path_work<2>> work_;
   std::vector<Stretch_ends> ends_;
   bool bounded_ = false;
@@ -457,7 +477,8 @@ inline Locus<2> point_curve_bisector(const Coordinates_2& point, const Curve_2& 
     const auto start = std::chrono::steady_clock::now();
     const Seen_curve seen(curve, point.exact(), options.beyond_ends);
     const Point_cell cell(seen.features(), options.control);
-    Point_bisector_maker maker(seen, cell, point_first, options);
+    const std::size_t point_input = point_first ? 0 : 1;
+    Point_bisector_maker maker(seen, cell, {point_input, Feature::point, {}}, {1 - point_input}, options);
     Locus_data<2> data = maker.make();
     if (options.keep_rational) {
       data.rational_curve = untrimmed_bisector_map(point, curve);

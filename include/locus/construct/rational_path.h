@@ -53,6 +53,15 @@ struct Path_work {
     Bernstein<Interval, 1> weight;
     std::optional<Map_evaluator<Dim>> image, foot;
     Parameter_range range;
+    std::optional<Range> fixed;  ///< the other foot's parameter, if it has one
+    bool is_fixed_first = false; ///< whether it is listed before the varying one
+
+    std::vector<Range> parameters(const Interval& s) const
+    {
+      std::vector<Range> all{range.at(s)};
+      if (fixed) all.insert(is_fixed_first ? all.begin() : all.end(), *fixed);
+      return all;
+    }
   };
 
   Frame<Dim> frame;
@@ -82,9 +91,9 @@ struct Path_work {
       magnitude_sum += std::abs(point[k]);
       widest = std::max(widest, width(x[k]));
     }
-    if (!(widest <= std::numeric_limits<double>::max())) return {{p.range.at(s)}, point, 0, std::numeric_limits<double>::infinity()};
+    if (!(widest <= std::numeric_limits<double>::max())) return {p.parameters(s), point, 0, std::numeric_limits<double>::infinity()};
     const double error = frame.length(Interval(static_cast<double>(Dim)) * Interval(widest)).sup() + 8 * operation_error * magnitude_sum;
-    return {{p.range.at(s)}, point, std::max(0.0, representative(radius)), error};
+    return {p.parameters(s), point, std::max(0.0, representative(radius)), error};
   }
 
 private:

@@ -14,34 +14,43 @@
 namespace locus {
 namespace detail {
 
-/// A curve as seen from a point, in a frame of both: its pieces, cut where the point lies on them, and the features that
-/// circles through the point can touch. Throws Unsupported_feature for cusps, and for the point on the curve, at irrational
+/// Curves as seen from a point, in a frame of all: their pieces, cut where the point lies on them, and the features that
+/// circles through the point can touch. Throws Unsupported_feature for cusps, and for the point on a curve, at irrational
 /// parameters inside pieces.
 class Seen_curve {
 public:
-  /// With `beyond_ends` the curve is continued over the whole line (reading (70) of Farouki & Johnstone 1994).
-  Seen_curve(const Curve_2& curve, const Exact_point<2>& point, bool beyond_ends = false) : chain_(curve.chain()), beyond_ends_(beyond_ends)
+  /// With `beyond_ends` a single curve is continued over the whole line (reading (70) of Farouki & Johnstone 1994).
+  Seen_curve(const Curve_2& curve, const Exact_point<2>& point, bool beyond_ends = false)
+    : Seen_curve(std::vector<const Curve_2*>{&curve}, point, beyond_ends)
+  {
+  }
+
+  Seen_curve(const std::vector<const Curve_2*>& curves, const Exact_point<2>& point, bool beyond_ends = false) : beyond_ends_(beyond_ends)
   {
     std::vector<Exact_point<2>> points{point};
-    collect_control_points(curve, points);
+    for (const Curve_2* curve : curves) {
+      collect_control_points(*curve, points);
+      inputs_.push_back({curve->chain(), 0, 0});
+    }
     frame_ = fitting_frame<2>(points);
     require_drawable(frame_);
     extent_ = extent_in<2>(frame_, points);
     for (std::size_t k = 0; k < 2; ++k) point_[k] = frame_.into(point[k], k);
     const auto framed = [&](const Curve_piece<2>& piece) { return with_unit_forms(in_frame(piece, frame_)); };
     if (beyond_ends) {
-      chain_ = Chain{{}, {}};
-      for (Parent_piece& piece : parent_pieces(curve)) {
-        chain_.pieces.push_back(piece.range);
-        if (chain_.pieces.size() > 1) chain_.joints.push_back({Joint_kind::smooth, Joint::any_order, false});
+      Chain& chain = inputs_[0].chain;
+      chain = Chain{{}, {}};
+      for (Parent_piece& piece : parent_pieces(*curves[0])) {
+        chain.pieces.push_back(piece.range);
+        if (chain.pieces.size() > 1) chain.joints.push_back({Joint_kind::smooth, Joint::any_order, false});
         is_own_.push_back(piece.is_own);
-        add_piece(chain_.pieces.size() - 1, framed(piece.forms));
+        add_piece(0, chain.pieces.size() - 1, framed(piece.forms));
       }
     } else {
-      is_own_.assign(curve.pieces().size(), true);
-      for (std::size_t i = 0; i < curve.pieces().size(); ++i) add_piece(i, framed(curve.pieces()[i]));
+      for (std::size_t k = 0; k < curves.size(); ++k)
+        for (std::size_t i = 0; i < curves[k]->pieces().size(); ++i) add_piece(k, i, framed(curves[k]->pieces()[i]));
     }
-    note_boxes();
+    note_parts();
     drop_overlaps();
     note_hits();
   }
@@ -56,7 +65,8 @@ public:
   bool is_on_smooth_place() const { return smooth_hit_.has_value(); }
 
   /// False for what continues the curve beyond its ends.
-  bool is_own(std::size_t piece) const { return is_own_[pieces_[piece].source]; }
+  bool is_own(std::size_t piece) const { return !beyond_ends_ || is_own_[pieces_[piece].source]; }
+  std::size_t input_of(std::size_t piece) const { return pieces_[piece].input; }
   bool is_beyond_ends() const { return beyond_ends_; }
 
   const Parameter_range& range_of(std::size_t piece) const { return ranges_[piece]; }
@@ -65,15 +75,16 @@ public:
   std::optional<Rational> parameter_at(std::size_t piece, const Rational& local) const
   {
     const Seen_piece& p = pieces_[piece];
-    return chain_.pieces[p.source].at(Rational(p.from + local * (p.to - p.from)));
+    return chain_of(piece).pieces[p.source].at(Rational(p.from + local * (p.to - p.from)));
   }
 
-  /// Whether two parameter ranges hold one place: in common, or at the two sides of a seam.
-  bool may_be_one_place(const Range& a, const Range& b) const
+  /// Whether two parameter ranges of a curve hold one place: in common, or at the two sides of a seam.
+  bool may_be_one_place(std::size_t input, const Range& a, const Range& b) const
   {
     if (a.lo <= b.hi && b.lo <= a.hi) return true;
-    if (!chain_.is_closed()) return false;
-    const Range first = ranges_.front().at(Interval(0)), last = ranges_.back().at(Interval(1));
+    const Seen_input& curve = inputs_[input];
+    if (!curve.chain.is_closed()) return false;
+    const Range first = ranges_[curve.first].at(Interval(0)), last = ranges_[curve.first + curve.count - 1].at(Interval(1));
     const auto holds = [](const Range& x, const Range& end) { return x.lo <= end.hi && end.lo <= x.hi; };
     return (holds(a, first) && holds(b, last)) || (holds(a, last) && holds(b, first));
   }
@@ -81,7 +92,7 @@ public:
   /// The piece of the untrimmed bisector: pieces of the curve that are mapped to infinity have none.
   std::size_t piece_of_map(std::size_t piece, const Rational_map<2, 1>& map) const
   {
-    const Piece& source = chain_.pieces[pieces_[piece].source];
+    const Piece& source = chain_of(piece).pieces[pieces_[piece].source];
     for (std::size_t i = 0; i < map.pieces().size(); ++i) {
       const Piece& range = map.pieces()[i].range[0];
       if (range.lo_infinite == source.lo_infinite && range.hi_infinite == source.hi_infinite && (source.lo_infinite || range.lo == source.lo) &&
@@ -130,9 +141,17 @@ public:
   }
 
 private:
-  void add_piece(std::size_t source, const Curve_piece<2>& piece)
+  struct Seen_input {
+    Chain chain;
+    std::size_t first, count; ///< its parts, in order
+  };
+
+  const Chain& chain_of(std::size_t piece) const { return inputs_[pieces_[piece].input].chain; }
+
+  void add_piece(std::size_t input, std::size_t source, const Curve_piece<2>& piece)
   {
     Seen_piece seen;
+    seen.input = input;
     for (std::size_t k = 0; k < 2; ++k) seen.offset[k] = subtract(piece.numerator[k], multiply(piece.weight, point_[k]));
     seen.weight = piece.weight;
     seen.source = source;
@@ -164,7 +183,7 @@ private:
         part.starts_at_cusp = k == 0 ? seen.starts_at_cusp : is_cusp(cuts[k]);
         part.ends_at_cusp = k + 2 == cuts.size() ? seen.ends_at_cusp : is_cusp(cuts[k + 1]);
       }
-      ranges_.emplace_back(chain_.pieces[part.source], part.from, part.to);
+      ranges_.emplace_back(inputs_[part.input].chain.pieces[part.source], part.from, part.to);
       pieces_.push_back(std::move(part));
     }
   }
@@ -235,14 +254,14 @@ private:
 
   // ---------------------------------------------------------------------------------------------------------- overlaps
 
-  /// Where pieces run along one path, all but one of them say nothing: they are cut where they begin and cease to.
+  /// Where pieces of one curve run along one path, all but one of them say nothing: they are cut where they begin and cease to.
   void drop_overlaps()
   {
     std::vector<std::vector<Rational>> cuts(pieces_.size());
     bool any = false;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
       for (std::size_t j = 0; j < pieces_.size(); ++j)
-        if (i != j && boxes_meet(i, j))
+        if (i != j && pieces_[i].input == pieces_[j].input && boxes_meet(i, j))
           for (const int end : {0, 1}) {
             if (end_weight(j, end) == 0) continue;
             for (const Rational& s : places_of(pieces_[i], end_place(j, end), false)) {
@@ -255,7 +274,7 @@ private:
       pieces_.clear();
       ranges_.clear();
       for (std::size_t i = 0; i < whole.size(); ++i) add_parts(whole[i], std::move(cuts[i]), {});
-      note_boxes();
+      note_parts();
     }
     keep_one_of_each_path();
   }
@@ -269,7 +288,7 @@ private:
     for (std::size_t i = 0; i < n; ++i) {
       path[i] = i;
       for (std::size_t j = 0; j < i && path[i] == i; ++j)
-        if (path[j] == j && boxes_meet(i, j) && is_one_path(pieces_[i], pieces_[j], i, j)) path[i] = j;
+        if (path[j] == j && pieces_[i].input == pieces_[j].input && boxes_meet(i, j) && is_one_path(pieces_[i], pieces_[j], i, j)) path[i] = j;
       if (path[i] != i) is_shared[path[i]] = pieces_[i].is_redundant = true;
     }
     std::vector<char> is_open = is_shared; // paths whose piece is not chosen yet, by their first pieces
@@ -328,10 +347,13 @@ private:
     return true;
   }
 
-  /// Enclosing boxes of the pieces' control polygons, unbounded where weights are not all positive.
-  void note_boxes()
+  /// Each curve's parts, and enclosing boxes of their control polygons, unbounded where weights are not all positive.
+  void note_parts()
   {
     boxes_.clear();
+    for (Seen_input& input : inputs_) input.first = input.count = 0;
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      if (inputs_[pieces_[i].input].count++ == 0) inputs_[pieces_[i].input].first = i;
     for (const Seen_piece& p : pieces_) {
       std::array<Interval, 2> box{Interval(0), Interval(0)};
       for (std::size_t k = 0; k < 2; ++k)
@@ -358,7 +380,7 @@ private:
     return joint && is_smooth(*joint);
   }
 
-  const Joint* joint_at(std::size_t piece, int end) const { return is_cut(piece, end) ? nullptr : chain_.joint_at(pieces_[piece].source, end); }
+  const Joint* joint_at(std::size_t piece, int end) const { return is_cut(piece, end) ? nullptr : chain_of(piece).joint_at(pieces_[piece].source, end); }
 
   /// Least distances are exact: a joint that turns a little is a corner, whatever tolerance took it for smooth. Through
   /// infinity the inverted curve goes on through the point's own image.
@@ -367,8 +389,8 @@ private:
   /// The piece behind an end that is a cut or a joint.
   std::size_t next_at(std::size_t piece, int end) const
   {
-    const std::size_t n = pieces_.size(); // parts of a piece follow one another
-    return end == 1 ? (piece + 1) % n : (piece + n - 1) % n;
+    const Seen_input& input = inputs_[pieces_[piece].input]; // parts of a piece follow one another
+    return input.first + (piece - input.first + (end == 1 ? 1 : input.count - 1)) % input.count;
   }
 
   /// Ends, and of a corner the end of the piece before it; both where the point itself is there.
@@ -381,9 +403,9 @@ private:
     return !has_next || end == 1 || hit;
   }
 
-  Chain chain_;
+  std::vector<Seen_input> inputs_;
   bool beyond_ends_ = false;
-  std::vector<char> is_own_; ///< by pieces of the chain
+  std::vector<char> is_own_; ///< by pieces of a chain that is continued beyond its ends
   Frame<2> frame_;
   Extent<2> extent_;
   Exact_point<2> point_;

@@ -55,10 +55,22 @@ inline std::array<std::shared_ptr<const Planar_pieces>, 2> framed_inputs(const C
   return pieces;
 }
 
+/// F3 = 0 on all pairs of pieces of two inputs, or of one with itself, and what the result is made from.
+struct Solved_inputs {
+  std::array<std::shared_ptr<const Planar_pieces>, 2> pieces;
+  bool is_self = false;
+  std::shared_ptr<const Planar_solution> solution;
+  std::vector<Patch_maker::Note> notes;
+  Degrees<2> degrees{0, 0};
+  bool has_axis = false;
+  std::vector<Cell_picture> cells;
+  std::shared_ptr<const Locus_evidence> evidence;
+  Locus_statistics statistics;
+};
+
 /// One attempt: nothing where it found that the inputs should be cut at a place of contact first, which is added to `cuts`.
-inline std::optional<Locus<2>> attempted_bisector(const Curve_2& a, const Curve_2* b, const Bisector_options& options,
-                                                  std::chrono::steady_clock::time_point start, std::vector<Necessary_cut>& cuts,
-                                                  Solve_statistics& statistics)
+inline std::optional<Solved_inputs> attempted_solution(const Curve_2& a, const Curve_2* b, const Bisector_options& options, std::vector<Necessary_cut>& cuts,
+                                                       Solve_statistics& statistics)
 {
   constexpr std::size_t most_cuts = 24;
   const bool is_self = b == nullptr;
@@ -80,35 +92,49 @@ inline std::optional<Locus<2>> attempted_bisector(const Curve_2& a, const Curve_
   solution->patches = std::move(maker.planar);
   const std::vector<Glued_sides> glued = cells.glued(maker.patches);
   solution->work = join_patches(std::move(maker.patches), glued);
-  Planar_result result(solution, first, second, is_self);
-  result.add_notes(maker.notes);
-  Locus_data<2>& data = result.data();
-  data.equations.push_back({F3_form::name, {maker.degrees[0], maker.degrees[1]}});
-  if (maker.has_axis) data.equations.push_back({"axis of symmetry", {1, 1}});
-  data.cells = std::move(keeper.cells);
   if (evidence) {
     evidence->inputs = inputs;
     evidence->is_self = is_self;
     evidence->frame = solution->frame;
     evidence->solution = solution;
-    data.evidence = evidence;
   }
-  data.statistics.cells = maker.statistics.cells;
-  data.statistics.pairs = maker.pairs;
-  data.statistics.purged_pairs = maker.purged;
-  data.statistics.exact_cells = maker.statistics.exact_cells;
-  data.statistics.filter = maker.statistics.filter;
-  data.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return Locus<2>(std::move(data));
+  Solved_inputs solved{inputs, is_self, solution, std::move(maker.notes), maker.degrees, maker.has_axis, std::move(keeper.cells), evidence, {}};
+  solved.statistics.cells = maker.statistics.cells;
+  solved.statistics.pairs = maker.pairs;
+  solved.statistics.purged_pairs = maker.purged;
+  solved.statistics.exact_cells = maker.statistics.exact_cells;
+  solved.statistics.filter = maker.statistics.filter;
+  return solved;
+}
+
+inline Solved_inputs solved_inputs(const Curve_2& a, const Curve_2* b, const Bisector_options& options)
+{
+  std::vector<Necessary_cut> cuts;
+  Solve_statistics statistics;
+  for (;;)
+    if (auto solved = attempted_solution(a, b, options, cuts, statistics)) return std::move(*solved);
+}
+
+/// The untrimmed bisector, from the solved equation.
+inline Locus_data<2> untrimmed_data(const Solved_inputs& solved)
+{
+  Planar_result result(solved.solution, *solved.pieces[0], *solved.pieces[1], solved.is_self);
+  result.add_notes(solved.notes);
+  Locus_data<2> data = std::move(result.data());
+  data.equations.push_back({F3_form::name, {solved.degrees[0], solved.degrees[1]}});
+  if (solved.has_axis) data.equations.push_back({"axis of symmetry", {1, 1}});
+  data.cells = solved.cells;
+  data.evidence = solved.evidence;
+  data.statistics = solved.statistics;
+  return data;
 }
 
 inline Locus<2> untrimmed_bisector_upward(const Curve_2& a, const Curve_2* b, const Bisector_options& options)
 {
   const auto start = std::chrono::steady_clock::now();
-  std::vector<Necessary_cut> cuts;
-  Solve_statistics statistics;
-  for (;;)
-    if (auto locus = attempted_bisector(a, b, options, start, cuts, statistics)) return std::move(*locus);
+  Locus_data<2> data = untrimmed_data(solved_inputs(a, b, options));
+  data.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return Locus<2>(std::move(data));
 }
 
 } // namespace detail

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRUCT_ARC_TRIMMING_H
+#define LOCUS_CONSTRUCT_ARC_TRIMMING_H
+
+#include <locus/construct/arc_circles.h>
+
+#include <map>
+
+namespace locus {
+namespace detail {
+
+/// Where circles along an arc cease to be empty: the place on a step, and what is touched there besides the feet.
+struct Arc_event {
+  std::size_t step = 0;
+  Interval base;
+  Arc_circles circles;    ///< of that place
+  Contact_list contacts;  ///< parts and vertices one of which at least is touched
+};
+
+/// A part of an arc along which the circles are empty; where it does not begin or end with the arc, at events.
+struct Empty_part {
+  Arc_part part;
+  std::array<std::optional<Arc_event>, 2> ends;
+  bool is_all = false; ///< all of a closed arc
+};
+
+/// Finds the parts of one arc whose circles are empty.
+///
+/// Let q(s) run along the arc, with feet A and B, and let C be another point of an input. The power of C changes with s by
+/// -2⟨C - A, q'⟩, since |A - q| is least at A; and q' is perpendicular to the chord B - A. So while the circles are empty near
+/// their feet, where q' does not vanish, a third contact on one side of the chord can only end their being empty, and one on the
+/// other side only begin it. Over a part of the arc with all possible contacts on one side the answers at both ends tell all.
+class Arc_trimmer {
+public:
+  Arc_trimmer(const Arc_steps& steps, const std::array<std::size_t, 2>& inputs, Contact_sites& sites, const Solve_control& control)
+    : steps_(steps), inputs_(inputs), sites_(sites), search_(sites), control_(control)
+  {
+  }
+
+  std::vector<Empty_part> run()
+  {
+    Contact_list all = search_.everything();
+    for (std::size_t k = 0; k < steps_.size(); ++k) treat_step(k, all);
+    join();
+    return parts();
+  }
+
+  /// Boxes of the inputs' parameters about which nothing is said.
+  const std::vector<std::array<Range, 2>>& undecided() const { return undecided_; }
+  std::size_t cells() const { return cells_; }
+
+private:
+  enum class Answer : unsigned char { empty, nonempty, unknown };
+
+  /// A stretch of the arc with one answer, in the arc's direction, and the event at its end, if that is one.
+  struct Section {
+    std::size_t step;
+    double from, to; ///< base values
+    Answer answer;
+    std::optional<Arc_event> event; ///< that ends it
+  };
+
+  static constexpr double least_width = 0x1p-44; ///< of base values
+
+  void treat_step(std::size_t k, const Contact_list& all)
+  {
+    Step_circles circles(steps_, k, inputs_, sites_);
+    step_ = k;
+    circles_ = &circles;
+    const bool reversed = circles.stretch().reversed;
+    std::vector<Section> found;
+    found_ = &found;
+    if (circles.is_half_branch()) {
+      treat_half_branch(all);
+    } else {
+      const Interval range = circles.base_range();
+      const std::optional<Contact_list> list = search(circles.over(range.inf(), range.sup()), all);
+      if (!list) add(range.inf(), range.sup(), Answer::nonempty);
+      else treat(range.inf(), range.sup(), *list, Answer::unknown, Answer::unknown);
+    }
+    if (reversed) {
+      std::reverse(found.begin(), found.end());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        std::swap(found[i].from, found[i].to);
+        found[i].event = i + 1 < found.size() ? std::move(found[i + 1].event) : std::nullopt;
+      }
+    }
+    sections_.insert(sections_.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+  }
+
+  std::optional<Contact_list> search(const Arc_circles& c, const Contact_list& list)
+  {
+    ++cells_;
+    return search_.examine(c.circle, c.feet, list);
+  }
+
+  void add(double lo, double hi, Answer answer) { found_->push_back({step_, lo, hi, answer, {}}); }
+
+  void treat_half_branch(const Contact_list& all)
+  {
+    const Arc_circles over = circles_->over_half_branch();
+    const auto list = search(over, all);
+    Answer answer = Answer::nonempty;
+    if (list) answer = !list->has_open() && search_.are_feet_free(*list, over.feet) ? answer_of(circles_->at_outer_end(), *list) : Answer::unknown;
+    add(0, 1, answer);
+  }
+
+  /// Base values from lo to hi, given what is left to be looked at; answers at the ends where they are known.
+  void treat(double lo, double hi, const Contact_list& list, Answer at_lo, Answer at_hi)
+  {
+    const double middle = lo + 0.5 * (hi - lo);
+    const bool is_smallest = !(hi - lo > least_width) || !(lo < middle && middle < hi) || cells_ > control_.max_cells || control_.is_cancelled();
+    const Arc_circles over = circles_->over(lo, hi);
+    if (search_.are_feet_free(list, over.feet)) {
+      if (!list.has_open()) {
+        for (const double f : {0.5, 0.3125, 0.6875, 0.0625, 0.9375}) {
+          const Answer answer = answer_at(lo + f * (hi - lo), list);
+          if (answer != Answer::unknown) return add(lo, hi, answer);
+        }
+      } else if (is_strict(search_.side_of_chord(list, over.feet))) {
+        if (at_lo == Answer::unknown) at_lo = answer_at(lo, list);
+        if (at_hi == Answer::unknown) at_hi = answer_at(hi, list);
+        if (at_lo != Answer::unknown && at_hi != Answer::unknown) return at_lo == at_hi ? add(lo, hi, at_lo) : locate(lo, hi, list, at_lo);
+      }
+    }
+    if (is_smallest) return add(lo, hi, Answer::unknown);
+    const Answer at_middle = answer_at(middle, list);
+    treat_part(lo, middle, list, at_lo, at_middle);
+    treat_part(middle, hi, list, at_middle, at_hi);
+  }
+
+  void treat_part(double lo, double hi, const Contact_list& list, Answer at_lo, Answer at_hi)
+  {
+    const auto rest = search(circles_->over(lo, hi), list);
+    if (!rest) add(lo, hi, Answer::nonempty);
+    else treat(lo, hi, *rest, at_lo, at_hi);
+  }
+
+  Answer answer_at(double base, const Contact_list& list) { return answer_of(circles_->at(base), list); }
+
+  Answer answer_of(const Arc_circles& c, const Contact_list& list)
+  {
+    const auto rest = search(c, list);
+    if (!rest) return Answer::nonempty;
+    return rest->has_open() || rest->has_monotone() ? Answer::unknown : Answer::empty;
+  }
+
+  /// One change of the answer between lo and hi: its place as closely as doubles tell.
+  void locate(double lo, double hi, const Contact_list& list, Answer at_lo)
+  {
+    const double first = lo, last = hi;
+    while (hi - lo > 0x1p-52) {
+      const double middle = lo + 0.5 * (hi - lo);
+      if (!(lo < middle && middle < hi)) break;
+      const Answer answer = answer_at(middle, list);
+      if (answer == Answer::unknown) break;
+      (answer == at_lo ? lo : hi) = middle;
+    }
+    Arc_event event{step_, Interval(lo, hi), circles_->over(lo, hi), {}};
+    if (auto contacts = search(event.circles, list)) event.contacts = std::move(*contacts);
+    found_->push_back({step_, first, lo, at_lo, std::move(event)});
+    found_->push_back({step_, hi, last, at_lo == Answer::empty ? Answer::nonempty : Answer::empty, {}});
+  }
+
+  // ----------------------------------------------------------------------------------------------------- the arc
+
+  /// Neighbouring sections with one answer become one; small unknown ones between others are reported.
+  void join()
+  {
+    for (const Section& s : sections_)
+      if (s.answer == Answer::unknown) note_undecided(s);
+  }
+
+  void note_undecided(const Section& s)
+  {
+    const Step_circles circles(steps_, s.step, inputs_, sites_);
+    const Placed p = circles.is_half_branch() ? steps_.over_half_branch(circles.stretch(), steps_.place_vertex(circles.stretch(), circles.stretch().piece->from))
+                                              : circles.placed_over(std::min(s.from, s.to), std::max(s.from, s.to));
+    undecided_.push_back(p.patch->parameters(p.at));
+  }
+
+  std::vector<Empty_part> parts() const
+  {
+    std::vector<Empty_part> all;
+    std::optional<Empty_part> open;
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+      const Section& s = sections_[i];
+      const bool begins_step = i == 0 || sections_[i - 1].step != s.step;
+      if (s.answer == Answer::empty) {
+        if (!open) {
+          open.emplace();
+          open->part.first = s.step;
+          if (!begins_step) open->part.from = s.from;
+          if (i > 0) open->ends[0] = sections_[i - 1].event;
+        }
+        const bool ends_step = i + 1 == sections_.size() || sections_[i + 1].step != s.step;
+        open->part.count = s.step - open->part.first + 1;
+        open->part.to = ends_step ? std::nullopt : std::optional(s.to);
+        open->ends[1] = s.event;
+      } else if (open) {
+        all.push_back(std::move(*open));
+        open.reset();
+      }
+    }
+    if (open) all.push_back(std::move(*open));
+    if (steps_.graph_arc().closed) close(all);
+    return all;
+  }
+
+  /// Of a closed arc the first and the last part are one if both reach the place where its listing starts.
+  void close(std::vector<Empty_part>& all) const
+  {
+    if (sections_.front().answer != Answer::empty || sections_.back().answer != Answer::empty) return;
+    if (all.size() == 1) {
+      all[0].is_all = true;
+      return;
+    }
+    Empty_part& last = all.back();
+    last.part.count += all.front().part.count;
+    last.part.to = all.front().part.to;
+    last.ends[1] = std::move(all.front().ends[1]);
+    all.erase(all.begin());
+  }
+
+  const Arc_steps& steps_;
+  std::array<std::size_t, 2> inputs_;
+  Contact_sites& sites_;
+  Contact_search search_;
+  const Solve_control& control_;
+  const Step_circles* circles_ = nullptr;
+  std::size_t step_ = 0, cells_ = 0;
+  std::vector<Section>* found_ = nullptr;
+  std::vector<Section> sections_;
+  std::vector<std::array<Range, 2>> undecided_;
+};
+
+} // namespace detail
+} // namespace locus
+
+#endif

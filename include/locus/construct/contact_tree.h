@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRUCT_CONTACT_TREE_H
+#define LOCUS_CONSTRUCT_CONTACT_TREE_H
+
+#include <locus/constraint/contact_forms.h>
+#include <locus/function/enclosed_vector.h>
+
+#include <deque>
+
+namespace locus {
+namespace detail {
+
+/// A circle's coefficients in doubles, each with a bound of its error.
+struct Circle {
+  std::array<double, 4> c{}, error{};
+
+  Circle() = default;
+  /// Upward rounding needed.
+  explicit Circle(const std::array<Interval, 4>& coefficients)
+  {
+    for (std::size_t k = 0; k < 4; ++k) {
+      c[k] = midpoint(coefficients[k]);
+      error[k] = std::max(coefficients[k].sup() - c[k], -(coefficients[k].inf() - c[k]));
+      if (!(error[k] < std::numeric_limits<double>::infinity())) error[k] = std::numeric_limits<double>::infinity();
+    }
+  }
+};
+
+/// The Bernstein coefficients of a form along a part of a curve, for all circles of an enclosure: values with error bounds.
+/// Holds in any rounding mode.
+class Contact_row {
+public:
+  /// Of the `order`-th derivative, up to a positive factor, of the first `rank` coefficients' combination.
+  void make(const Circle& circle, const Enclosed_vector& f, int order)
+  {
+    const std::size_t n = f.count();
+    value_.assign(n, 0.0);
+    error_.assign(n, 0.0);
+    double norm = 0;
+    for (std::size_t k = 0; k < f.rank(); ++k) {
+      difference_.assign(f.component(k), f.component(k) + n);
+      for (int d = 0; d < order; ++d)
+        for (std::size_t j = 0; j + 1 < difference_.size() - static_cast<std::size_t>(d); ++j) difference_[j] = difference_[j + 1] - difference_[j];
+      for (std::size_t j = 0; j < n; ++j) {
+        value_[j] += circle.c[k] * difference_[j];
+        error_[j] += circle.error[k] * std::abs(difference_[j]);
+      }
+      norm += std::abs(circle.c[k]) + circle.error[k];
+    }
+    const auto rank = static_cast<double>(f.rank());
+    const double common = std::ldexp((f.error() + (order + rank + 2) * operation_error * f.norm()) * norm, order) + 0x1p-1000;
+    const std::size_t size = n > static_cast<std::size_t>(order) ? n - static_cast<std::size_t>(order) : 0;
+    value_.resize(size);
+    error_.resize(size);
+    for (double& e : error_) e = (e + common) * (1 + 16 * operation_error);
+  }
+
+  std::size_t size() const { return value_.size(); }
+  Sign sign_at(std::size_t j) const { return value_[j] > error_[j] ? Sign::positive : value_[j] < -error_[j] ? Sign::negative : Sign::unknown; }
+  Sign first() const { return sign_at(0); }
+  Sign last() const { return sign_at(value_.size() - 1); }
+  /// The sign of all coefficients, if it is one.
+  Sign common() const
+  {
+    if (value_.empty()) return Sign::unknown;
+    const Sign s = first();
+    for (std::size_t j = 1; j < value_.size() && is_strict(s); ++j)
+      if (sign_at(j) != s) return Sign::unknown;
+    return s;
+  }
+  /// Whether halving may tell more: coefficients differ by more than their errors.
+  bool is_resolved() const
+  {
+    double least = value_[0], greatest = value_[0], error = 0;
+    for (std::size_t j = 0; j < value_.size(); ++j) {
+      least = std::min(least, value_[j]);
+      greatest = std::max(greatest, value_[j]);
+      error = std::max(error, error_[j]);
+    }
+    return greatest - least > error;
+  }
+
+private:
+  std::vector<double> value_, error_, difference_;
+};
+
+/// What circles are tested against along one piece of a curve, with dyadic parts made when they are first asked for. Not for
+/// sharing between threads.
+class Contact_tree {
+public:
+  struct Node {
+    double lo, hi;
+    Enclosed_vector power, turn;
+    std::size_t children = 0; ///< index of the lower half; the upper one follows; none where 0
+  };
+
+  /// Upward rounding needed.
+  explicit Contact_tree(const Contact_forms<Interval>& forms) { nodes_.push_back({0, 1, enclosed(forms.power), enclosed(forms.turn), 0}); }
+
+  const Node& node(std::size_t i) const { return nodes_[i]; }
+
+  std::size_t halve(std::size_t i)
+  {
+    if (nodes_[i].children) return nodes_[i].children;
+    auto power = nodes_[i].power.halves(), turn = nodes_[i].turn.halves();
+    const double lo = nodes_[i].lo, hi = nodes_[i].hi, middle = 0.5 * (lo + hi);
+    nodes_[i].children = nodes_.size();
+    nodes_.push_back({lo, middle, std::move(power.first), std::move(turn.first), 0});
+    nodes_.push_back({middle, hi, std::move(power.second), std::move(turn.second), 0});
+    return nodes_[i].children;
+  }
+
+private:
+  static Enclosed_vector enclosed(const std::vector<Bernstein<Interval, 1>>& f)
+  {
+    std::vector<Interval> c;
+    for (const auto& x : f) c.insert(c.end(), x.coefficients().begin(), x.coefficients().end());
+    return Enclosed_vector(f.size(), f[0].degree(), c);
+  }
+
+  std::deque<Node> nodes_;
+};
+
+} // namespace detail
+} // namespace locus
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRUCT_LOCUS_ENDS_H
+#define LOCUS_CONSTRUCT_LOCUS_ENDS_H
+
+#include <locus/construct/locus.h>
+#include <locus/function/domain.h>
+
+namespace locus {
+namespace detail {
+
+/// Joins ends of arcs that were found apart: an end is known by its feet.
+class End_joiner {
+public:
+  /// The parameters at which an input is closed, if it is.
+  struct Seam {
+    bool is_closed = false;
+    Range first, last;
+  };
+
+  explicit End_joiner(std::vector<Seam> seams) : seams_(std::move(seams)) {}
+
+  /// An end of an arc at a finite point with all of its feet that are known; returns its number.
+  std::size_t add(Locus_vertex<2> vertex)
+  {
+    vertex.feet = distinct(std::move(vertex.feet));
+    ends_.push_back(std::move(vertex));
+    return ends_.size() - 1;
+  }
+
+  /// Numbers of the joined vertices by ends; the vertices are appended to `vertices`.
+  std::vector<std::size_t> join(std::vector<Locus_vertex<2>>& vertices)
+  {
+    std::vector<std::size_t> parent(ends_.size());
+    for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = i;
+    const auto find = [&](std::size_t i) {
+      while (parent[i] != i) i = parent[i] = parent[parent[i]];
+      return i;
+    };
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (are_one(ends_[i], ends_[j])) parent[find(i)] = find(j);
+    std::vector<std::size_t> number(ends_.size());
+    degree_.assign(ends_.size(), 0);
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+      if (find(i) == i) {
+        number[i] = vertices.size();
+        vertices.push_back(ends_[i]);
+      }
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      number[i] = number[find(i)];
+      ++degree_[find(i)];
+      if (find(i) == i) continue;
+      Locus_vertex<2>& v = vertices[number[i]];
+      v.feet.insert(v.feet.end(), ends_[i].feet.begin(), ends_[i].feet.end());
+      v.feet = distinct(std::move(v.feet));
+    }
+    for (std::size_t i = 0; i < ends_.size(); ++i) degree_[i] = degree_[find(i)];
+    return number;
+  }
+
+  /// How many ends were joined to an end, itself included.
+  std::size_t degree(std::size_t end) const { return degree_[end]; }
+
+  /// Feet at one place are one; what is known best of it remains.
+  std::vector<Foot> distinct(std::vector<Foot> feet) const
+  {
+    std::vector<Foot> all;
+    for (Foot& f : feet) {
+      const auto same = std::find_if(all.begin(), all.end(), [&](const Foot& g) { return are_one(f, g); });
+      if (same == all.end()) all.push_back(std::move(f));
+      else if (is_closer(f, *same)) *same = std::move(f);
+    }
+    std::stable_sort(all.begin(), all.end(), [](const Foot& a, const Foot& b) { return a.input < b.input; });
+    return all;
+  }
+
+private:
+  static bool overlap(const Range& a, const Range& b) { return a.lo <= b.hi && b.lo <= a.hi; }
+
+  bool are_one(const Foot& a, const Foot& b) const
+  {
+    if (a.input != b.input) return false;
+    if (a.parameters.empty() || b.parameters.empty()) return a.parameters.empty() && b.parameters.empty();
+    const Range &x = a.parameters[0], &y = b.parameters[0];
+    if (overlap(x, y)) return true;
+    const Seam& seam = seams_[a.input];
+    return seam.is_closed && ((overlap(x, seam.first) && overlap(y, seam.last)) || (overlap(x, seam.last) && overlap(y, seam.first)));
+  }
+
+  /// An end or a corner says more than the inside beside it, and a narrow enclosure more than a wide one.
+  static bool is_closer(const Foot& a, const Foot& b)
+  {
+    if ((a.feature == Feature::interior) != (b.feature == Feature::interior)) return b.feature == Feature::interior;
+    return !a.parameters.empty() && a.parameters[0].hi - a.parameters[0].lo < b.parameters[0].hi - b.parameters[0].lo;
+  }
+
+  /// All feet of one are feet of the other.
+  bool are_one(const Locus_vertex<2>& a, const Locus_vertex<2>& b) const
+  {
+    const auto has = [&](const Locus_vertex<2>& v, const Foot& f) {
+      return std::any_of(v.feet.begin(), v.feet.end(), [&](const Foot& g) { return are_one(f, g); });
+    };
+    const auto covers = [&](const Locus_vertex<2>& v, const Locus_vertex<2>& w) {
+      return std::all_of(w.feet.begin(), w.feet.end(), [&](const Foot& f) { return has(v, f); });
+    };
+    return covers(a, b) || covers(b, a);
+  }
+
+  std::vector<Seam> seams_;
+  std::vector<Locus_vertex<2>> ends_;
+  std::vector<std::size_t> degree_;
+};
+
+} // namespace detail
+} // namespace locus
+
+#endif

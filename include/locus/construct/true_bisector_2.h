@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#ifndef LOCUS_CONSTRUCT_TRUE_BISECTOR_2_H
+#define LOCUS_CONSTRUCT_TRUE_BISECTOR_2_H
+
+#include <locus/construct/arc_trimming.h>
+#include <locus/construct/locus_ends.h>
+#include <locus/construct/point_curve_bisector.h>
+#include <locus/construct/untrimmed_bisector_2.h>
+
+namespace locus {
+namespace detail {
+
+/// Puts a true bisector together: parts of the untrimmed one between insides, and arcs about ends and corners.
+class True_bisector_maker {
+public:
+  True_bisector_maker(std::vector<const Curve_2*> curves, const Bisector_options& options)
+    : curves_(std::move(curves)), options_(options), is_self_(curves_.size() == 1), solved_(solved_inputs(*curves_[0], is_self_ ? nullptr : curves_[1], options)),
+      base_(untrimmed_data(solved_)), joiner_(seams())
+  {
+    data_ = base_;
+    data_.trimmed = true;
+    data_.vertices.clear();
+    data_.arcs.clear();
+    data_.undecided.clear();
+    for (const auto& u : base_.undecided) data_.undecided.push_back(u);
+    for (std::size_t k = 0; k < curves_.size(); ++k) sites_.add_input(*solved_.pieces[k]);
+  }
+
+  Locus_data<2> make()
+  {
+    for (std::size_t k = 0; k < base_.arcs.size(); ++k) trim(k);
+    for (std::size_t input = 0; input < curves_.size(); ++input) add_vertices_of(input);
+    join();
+    return std::move(data_);
+  }
+
+private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  /// An arc whose ends are not numbered yet: for either, an end of `joiner_`, or a vertex of `data_` that is kept.
+  struct Open_arc {
+    std::shared_ptr<const Arc_geometry<2>> geometry;
+    std::vector<std::size_t> inputs;
+    std::vector<Feature> features;
+    bool closed = false;
+    std::array<std::size_t, 2> end{none, none}, vertex{none, none};
+  };
+
+  std::vector<End_joiner::Seam> seams() const
+  {
+    std::vector<End_joiner::Seam> all;
+    for (const Curve_2* c : curves_) {
+      const Chain& chain = c->chain();
+      all.push_back({chain.is_closed(), Parameter_range(chain.pieces.front()).at(Interval(0)), Parameter_range(chain.pieces.back()).at(Interval(1))});
+    }
+    return all;
+  }
+
+  // ------------------------------------------------------------------------------------------------ between insides
+
+  void trim(std::size_t arc)
+  {
+    const Arc_steps steps(solved_.solution, arc);
+    const std::array<std::size_t, 2> inputs{0, is_self_ ? 0u : 1u};
+    Arc_trimmer trimmer(steps, inputs, sites_, options_.control);
+    for (const Empty_part& part : trimmer.run()) add_part(arc, steps, part);
+    for (const auto& box : trimmer.undecided()) {
+      Undecided_piece u;
+      u.box = {box[0], box[1]};
+      u.reason = "whether circles there contain other parts of the inputs was not decided in doubles";
+      data_.undecided.push_back(std::move(u));
+    }
+    data_.statistics.cells += trimmer.cells();
+  }
+
+  void add_part(std::size_t arc, const Arc_steps& steps, const Empty_part& part)
+  {
+    Open_arc open;
+    open.inputs = {0, is_self_ ? 0u : 1u};
+    open.features = {Feature::interior, Feature::interior};
+    open.closed = part.is_all;
+    double end_error = 0;
+    for (std::size_t e = 0; e < 2 && !open.closed; ++e) {
+      if (part.ends[e]) {
+        const Placed placed = Step_circles(steps, part.ends[e]->step, {0, is_self_ ? 0u : 1u}, sites_).placed_over(part.ends[e]->base.inf(), part.ends[e]->base.sup());
+        end_error = std::max(end_error, solved_.solution->frame.length(Interval(diameter(placed.point))).sup());
+        open.end[e] = joiner_.add(event_vertex(*part.ends[e], placed));
+      } else {
+        const std::optional<std::size_t> v = e == 0 ? base_.arcs[arc].source() : base_.arcs[arc].target();
+        if (v) note_end(open, e, *v);
+      }
+    }
+    open.geometry = std::make_shared<Planar_arc>(solved_.solution, arc, part.part, end_error);
+    arcs_.push_back(std::move(open));
+  }
+
+  /// An end that the untrimmed arc has, too.
+  void note_end(Open_arc& open, std::size_t e, std::size_t v)
+  {
+    const Locus_vertex<2>& vertex = base_.vertices[v];
+    if (vertex.kind == Vertex_kind::boundary || vertex.kind == Vertex_kind::corner) {
+      open.end[e] = joiner_.add(vertex);
+      return;
+    }
+    kept_.resize(base_.vertices.size(), none);
+    if (kept_[v] == none) {
+      kept_[v] = data_.vertices.size();
+      data_.vertices.push_back(vertex);
+      data_.vertices.back().half_branches.clear();
+    }
+    open.vertex[e] = kept_[v];
+  }
+
+  Locus_vertex<2> event_vertex(const Arc_event& event, const Placed& placed) const
+  {
+    Locus_vertex<2> v;
+    v.kind = Vertex_kind::trim;
+    const Arc_point<2> p = finished(*solved_.solution, placed);
+    v.point = p.point();
+    v.radius = p.radius();
+    const auto parameters = placed.patch->parameters(placed.at);
+    for (std::size_t k = 0; k < 2; ++k) v.feet.push_back({is_self_ ? 0 : k, Feature::interior, {parameters[k]}});
+    for (const Contact_leaf& leaf : event.contacts.leaves) {
+      if (leaf.state != Contact_leaf::State::open) continue;
+      const Contact_site& site = sites_[leaf.site];
+      const auto& node = site.tree.node(leaf.node);
+      v.feet.push_back({site.input, Feature::interior, {site.range.at(Interval(node.lo, node.hi))}});
+    }
+    for (const std::size_t i : event.contacts.vertices) {
+      const Contact_vertex& at = sites_.vertices()[i];
+      v.feet.push_back({sites_[at.site].input, at.feature, {sites_[at.site].range.at(Interval(at.end))}});
+    }
+    return v;
+  }
+
+  // ---------------------------------------------------------------------------------------------- ends and corners
+
+  void add_vertices_of(std::size_t input)
+  {
+    const Curve_2& curve = *curves_[input];
+    const Chain& chain = curve.chain();
+    for (std::size_t i = 0; i < curve.pieces().size(); ++i)
+      for (const int end : {0, 1}) {
+        const Joint* joint = chain.joint_at(i, end);
+        if (joint && ((joint->goes_on() && !joint->by_tolerance) || end == 0 || joint->kind == Joint_kind::pole)) continue;
+        const Curve_piece<2>& piece = curve.pieces()[i];
+        const auto value = [end](const Bernstein<Rational, 1>& f) { return f[end == 0 ? 0 : f.size() - 1]; };
+        if (value(piece.weight) == 0) continue;
+        Exact_point<2> p;
+        for (std::size_t k = 0; k < 2; ++k) p[k] = value(piece.numerator[k]) / value(piece.weight);
+        const Feature feature = joint ? Feature::corner : end == 0 ? Feature::start : Feature::end;
+        add_cell(p, {input, feature, {Parameter_range(chain.pieces[i]).at(Interval(end))}});
+      }
+  }
+
+  /// Arcs of the cell of an end or a corner among all inputs.
+  void add_cell(const Exact_point<2>& p, const Foot& own)
+  {
+    Point_bisector_options options;
+    options.control = options_.control;
+    options.least_cut_radius = data_.cut_radius;
+    const Seen_curve seen(curves_, p);
+    const Point_cell cell(seen.features(), options_.control);
+    std::vector<std::size_t> inputs;
+    for (std::size_t k = 0; k < curves_.size(); ++k) inputs.push_back(k);
+    Point_bisector_maker maker(seen, cell, own, inputs, options);
+    Locus_data<2> found = maker.make();
+    data_.statistics.cells += cell.cells();
+    data_.statistics.exact_cells += cell.algebraic_cells();
+    data_.statistics.filter += cell.filter();
+    for (Undecided_piece& u : found.undecided) {
+      u.box.push_back(own.parameters[0]);
+      data_.undecided.push_back(std::move(u));
+    }
+    for (const Arc<2>& arc : found.arcs) add_cell_arc(found, arc, own);
+  }
+
+  void add_cell_arc(const Locus_data<2>& found, const Arc<2>& arc, const Foot& own)
+  {
+    const std::size_t own_index = is_own(arc, own) ? 0 : 1;
+    if (!is_self_ && arc.inputs()[0] == arc.inputs()[1]) return;
+    const Arc_point<2> inside = arc.at(0.5);
+    const Range &own_parameter = inside.parameters()[own_index], &other = inside.parameters()[1 - own_index];
+    const bool is_vertex_pair = arc.features()[0] != Feature::interior && arc.features()[1] != Feature::interior;
+    if (is_self_ && own_parameter.lo <= other.hi && other.lo <= own_parameter.hi) return; // its own normals
+    if (is_vertex_pair && own_index == 1) return;                                         // the other vertex lists it
+    Open_arc open;
+    open.inputs = arc.inputs();
+    open.features = arc.features();
+    open.geometry = std::make_shared<Shared_arc>(arc);
+    open.closed = arc.is_closed();
+    for (std::size_t e = 0; e < 2 && !open.closed; ++e) {
+      const Locus_vertex<2>& v = found.vertices[e == 0 ? *arc.source() : *arc.target()];
+      if (v.kind == Vertex_kind::infinity || v.kind == Vertex_kind::undecided) {
+        open.vertex[e] = data_.vertices.size();
+        data_.vertices.push_back(v);
+      } else {
+        open.end[e] = joiner_.add(v);
+      }
+    }
+    arcs_.push_back(std::move(open));
+  }
+
+  /// Whether the first foot of an arc of a vertex's cell is the vertex.
+  static bool is_own(const Arc<2>& arc, const Foot& own)
+  {
+    if (arc.inputs()[0] != arc.inputs()[1]) return arc.inputs()[0] == own.input;
+    const Range p = arc.at(0.5).parameters()[0];
+    return arc.features()[0] == own.feature && p.lo == own.parameters[0].lo && p.hi == own.parameters[0].hi;
+  }
+
+  /// An arc of another locus.
+  class Shared_arc final : public Arc_geometry<2> {
+  public:
+    explicit Shared_arc(Arc<2> arc) : arc_(std::move(arc)) {}
+    Arc_point<2> at(double x) const override { return arc_.at(x); }
+    Arc_differential<2> differential(double x) const override { return arc_.differential(x); }
+    std::vector<Arc_point<2>> samples(std::size_t n) const override { return arc_.samples(n); }
+    Polyline<2> polyline(double tolerance) const override { return arc_.polyline(tolerance); }
+    Irregular_points<2> irregular() const override { return arc_.irregular(); }
+
+  private:
+    Arc<2> arc_;
+  };
+
+  // ------------------------------------------------------------------------------------------------------- joining
+
+  void join()
+  {
+    const std::vector<std::size_t> number = joiner_.join(data_.vertices);
+    for (const Open_arc& open : arcs_) {
+      std::array<std::optional<std::size_t>, 2> ends;
+      for (std::size_t e = 0; e < 2; ++e) {
+        if (open.end[e] != none) {
+          ends[e] = number[open.end[e]];
+          if (joiner_.degree(open.end[e]) > 1) data_.vertices[*ends[e]].kind = Vertex_kind::trim;
+          else note_loose(data_.vertices[*ends[e]]);
+        } else if (open.vertex[e] != none) {
+          ends[e] = open.vertex[e];
+        }
+      }
+      data_.arcs.emplace_back(open.geometry, ends[0], ends[1], open.inputs, open.features);
+    }
+  }
+
+  /// An end that nothing continues.
+  void note_loose(const Locus_vertex<2>& v)
+  {
+    Undecided_piece u;
+    for (const Foot& f : v.feet)
+      if (!f.parameters.empty()) u.box.push_back(f.parameters[0]);
+    u.reason = "an arc ends here, and what continues it was not found";
+    data_.undecided.push_back(std::move(u));
+  }
+
+  std::vector<const Curve_2*> curves_;
+  const Bisector_options& options_;
+  bool is_self_;
+  Solved_inputs solved_;
+  Locus_data<2> base_, data_;
+  Contact_sites sites_;
+  End_joiner joiner_;
+  std::vector<std::size_t> kept_;
+  std::vector<Open_arc> arcs_;
+};
+
+inline Locus<2> true_bisector(std::vector<const Curve_2*> curves, const Bisector_options& options)
+{
+  return with_upward_rounding([&] {
+    const auto start = std::chrono::steady_clock::now();
+    Locus_data<2> data = True_bisector_maker(std::move(curves), options).make();
+    data.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return Locus<2>(std::move(data));
+  });
+}
+
+} // namespace detail
+
+/// The true bisector of two curves in the plane, certified: the points whose least distances to the two whole curves, their ends and
+/// corners included, are equal.
+inline Locus<2> bisector(const Curve_2& first, const Curve_2& second, const Bisector_options& options = {})
+{
+  return detail::true_bisector({&first, &second}, options);
+}
+
+/// The true bisector of a curve with itself: the closure of the points with two or more nearest points on it.
+inline Locus<2> bisector(const Curve_2& curve, const Bisector_options& options = {}) { return detail::true_bisector({&curve}, options); }
+
+} // namespace locus
+
+#endif
