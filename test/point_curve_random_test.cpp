@@ -555,9 +555,17 @@ public:
         return d;
       };
       const std::vector<double> a = in_double(above), b = in_double(below);
-      for (int i = 1; i <= 4000; ++i) {
-        const double t = i / 4000.0;
-        best = std::max(best, Dense_part::value(a, t) / Dense_part::value(b, t));
+      constexpr int n = 4000;
+      const auto quotient = [&](double t) { return Dense_part::value(a, t) / Dense_part::value(b, t); };
+      int most = 1;
+      for (int i = 1; i <= n; ++i)
+        if (quotient(static_cast<double>(i) / n) > quotient(static_cast<double>(most) / n)) most = i;
+      double lo = (most - 1.0) / n, hi = std::min(1.0, (most + 1.0) / n); // between its neighbours, by thirds
+      best = std::max(best, quotient(static_cast<double>(most) / n));
+      for (int k = 0; k < 60; ++k) {
+        const double c = lo + (hi - lo) / 3, d = hi - (hi - lo) / 3;
+        best = std::max({best, quotient(c), quotient(d)});
+        (quotient(c) < quotient(d) ? lo : hi) = quotient(c) < quotient(d) ? c : d;
       }
     }
     return best > 0 ? length(normal) / best : std::numeric_limits<double>::infinity();
