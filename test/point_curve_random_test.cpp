@@ -562,7 +562,7 @@ public:
         if (quotient(static_cast<double>(i) / n) > quotient(static_cast<double>(most) / n)) most = i;
       double lo = (most - 1.0) / n, hi = std::min(1.0, (most + 1.0) / n); // between its neighbours, by thirds
       best = std::max(best, quotient(static_cast<double>(most) / n));
-      for (int k = 0; k < 60; ++k) {
+      for (int k = 0; k < 60 && quotient(static_cast<double>(most) / n) > 0; ++k) {
         const double c = lo + (hi - lo) / 3, d = hi - (hi - lo) / 3;
         best = std::max({best, quotient(c), quotient(d)});
         (quotient(c) < quotient(d) ? lo : hi) = quotient(c) < quotient(d) ? c : d;

@@ -31,8 +31,13 @@ public:
   /// Base values from end to end.
   Interval base_range() const { return {stretch_.lo.inf(), stretch_.hi.sup()}; }
 
-  /// At a base value, and over a range of them.
-  Arc_circles at(double base) const { return circles(Arc_steps::parameters(*evaluator_, base, guess(base))); }
+  /// At a base value, and over a range of them; at the piece's ends, of its vertices.
+  Arc_circles at(double base) const
+  {
+    if (base <= stretch_.lo.sup()) return circles(steps_.place_vertex(stretch_, stretch_.piece->from));
+    if (base >= stretch_.hi.inf()) return circles(steps_.place_vertex(stretch_, stretch_.piece->to));
+    return circles(Arc_steps::parameters(*evaluator_, base, guess(base)));
+  }
   Arc_circles over(double lo, double hi) const
   {
     std::array<Interval, 2> box;
@@ -47,7 +52,6 @@ public:
   }
   Arc_circles at_outer_end() const { return circles(steps_.place_vertex(stretch_, stretch_.piece->to)); }
 
-  Placed placed(double base) const { return steps_.place_on(stretch_, Arc_steps::parameters(*evaluator_, base, guess(base))); }
   Placed placed_over(double lo, double hi) const
   {
     std::array<Interval, 2> box;
@@ -63,8 +67,8 @@ private:
   Interval pivot_at(double base) const
   {
     const auto pivot = static_cast<std::size_t>(evaluator_->pivot());
-    if (base <= stretch_.lo.sup() && base >= stretch_.lo.inf()) return steps_.vertex(stretch_, stretch_.piece->from).at[pivot];
-    if (base <= stretch_.hi.sup() && base >= stretch_.hi.inf()) return steps_.vertex(stretch_, stretch_.piece->to).at[pivot];
+    if (base <= stretch_.lo.sup()) return steps_.vertex(stretch_, stretch_.piece->from).at[pivot];
+    if (base >= stretch_.hi.inf()) return steps_.vertex(stretch_, stretch_.piece->to).at[pivot];
     return evaluator_->pivot_at(base, guess(base));
   }
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -70,6 +71,7 @@ struct Locus_vertex {
   std::vector<Foot> feet;
   std::optional<Approximate_point<Dim>> point; ///< none at infinity
   double radius = 0;                           ///< distance to the feet
+  double error = std::numeric_limits<double>::infinity(); ///< bound of the printed point's distance from the exact one, where one is known
   std::optional<Approximate_point<Dim>> direction;
   std::optional<Asymptote<Dim>> asymptote;
   int multiplicity = 1;

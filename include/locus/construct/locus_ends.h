@@ -51,6 +51,11 @@ public:
       ++degree_[find(i)];
       if (find(i) == i) continue;
       Locus_vertex<2>& v = vertices[number[i]];
+      if (ends_[i].error < v.error) {
+        v.point = ends_[i].point;
+        v.radius = ends_[i].radius;
+        v.error = ends_[i].error;
+      }
       v.feet.insert(v.feet.end(), ends_[i].feet.begin(), ends_[i].feet.end());
       v.feet = distinct(std::move(v.feet));
     }
@@ -94,9 +99,14 @@ private:
     return !a.parameters.empty() && a.parameters[0].hi - a.parameters[0].lo < b.parameters[0].hi - b.parameters[0].lo;
   }
 
-  /// All feet of one are feet of the other.
+  /// All feet of one are feet of the other, and the points may be the same: two ends can have their feet in common, as where one
+  /// foot or the other passes from an end of its input to the inside.
   bool are_one(const Locus_vertex<2>& a, const Locus_vertex<2>& b) const
   {
+    if (a.point && b.point) {
+      const double apart = std::hypot((*a.point)[0] - (*b.point)[0], (*a.point)[1] - (*b.point)[1]);
+      if (apart > (a.error + b.error) * (1 + 8 * operation_error) + 0x1p-1000) return false;
+    }
     const auto has = [&](const Locus_vertex<2>& v, const Foot& f) {
       return std::any_of(v.feet.begin(), v.feet.end(), [&](const Foot& g) { return are_one(f, g); });
     };

@@ -124,6 +124,7 @@ private:
         const Arc_point<2> p = finished(*s_, placed);
         vertex.point = p.point();
         vertex.radius = p.radius();
+        vertex.error = p.error();
       } else if (is_meeting(member)) {
         place_at_contact(patch, local, vertex);
       } else {

@@ -274,6 +274,7 @@ private:
     const Arc_point<2> p = work_->at(stretch, Interval(end.lo + 0.5 * (end.hi - end.lo)));
     v.point = p.point();
     v.radius = p.radius();
+    v.error = end.is_exact() ? p.error() : p.error() + spread_at(stretch, end);
     return v;
   }
 

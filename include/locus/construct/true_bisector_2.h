@@ -118,19 +118,32 @@ private:
     const Arc_point<2> p = finished(*solved_.solution, placed);
     v.point = p.point();
     v.radius = p.radius();
+    v.error = p.error();
     const auto parameters = placed.patch->parameters(placed.at);
     for (std::size_t k = 0; k < 2; ++k) v.feet.push_back({is_self_ ? 0 : k, Feature::interior, {parameters[k]}});
-    for (const Contact_leaf& leaf : event.contacts.leaves) {
-      if (leaf.state != Contact_leaf::State::open) continue;
-      const Contact_site& site = sites_[leaf.site];
-      const auto& node = site.tree.node(leaf.node);
-      v.feet.push_back({site.input, Feature::interior, {site.range.at(Interval(node.lo, node.hi))}});
-    }
+    for (const Contact_foot& contact : open_parts(event.contacts)) v.feet.push_back({sites_[contact.site].input, Feature::interior, {sites_[contact.site].range.at(contact.at)}});
     for (const std::size_t i : event.contacts.vertices) {
       const Contact_vertex& at = sites_.vertices()[i];
       v.feet.push_back({sites_[at.site].input, at.feature, {sites_[at.site].range.at(Interval(at.end))}});
     }
     return v;
+  }
+
+  /// Open leaves side by side hold one contact.
+  std::vector<Contact_foot> open_parts(const Contact_list& list) const
+  {
+    std::vector<Contact_foot> parts;
+    for (const Contact_leaf& leaf : list.leaves) {
+      const auto& node = sites_[leaf.site].tree.node(leaf.node);
+      if (leaf.state == Contact_leaf::State::open) parts.push_back({leaf.site, Interval(node.lo, node.hi)});
+    }
+    std::sort(parts.begin(), parts.end(), [](const Contact_foot& a, const Contact_foot& b) { return a.site != b.site ? a.site < b.site : a.at.inf() < b.at.inf(); });
+    std::vector<Contact_foot> joined;
+    for (const Contact_foot& part : parts) {
+      if (!joined.empty() && joined.back().site == part.site && part.at.inf() <= joined.back().at.sup()) joined.back().at = hull(joined.back().at, part.at);
+      else joined.push_back(part);
+    }
+    return joined;
   }
 
   // ---------------------------------------------------------------------------------------------- ends and corners
