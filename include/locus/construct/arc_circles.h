@@ -12,6 +12,7 @@ namespace detail {
 struct Arc_circles {
   Circle circle;
   std::array<Contact_foot, 2> feet;
+  bool is_by_centre = true; ///< the first coefficient is 1
 };
 
 /// Encloses the circles of one step of an arc.
@@ -40,10 +41,22 @@ public:
   }
   Arc_circles over(double lo, double hi) const
   {
+    const auto base = static_cast<std::size_t>(evaluator_->base()), pivot = static_cast<std::size_t>(evaluator_->pivot());
+    const Interval at_lo = pivot_at(lo), at_hi = pivot_at(hi);
     std::array<Interval, 2> box;
-    box[static_cast<std::size_t>(evaluator_->base())] = Interval(lo, hi);
-    box[static_cast<std::size_t>(evaluator_->pivot())] = evaluator_->range_over(lo, hi, pivot_at(lo), pivot_at(hi));
-    return circles(box);
+    box[base] = Interval(lo, hi);
+    const auto jet = evaluator_->jet_over(lo, hi, at_lo, at_hi);
+    if (!jet) {
+      box[pivot] = evaluator_->range_over(lo, hi, at_lo, at_hi);
+      return circles(box);
+    }
+    box[pivot] = jet->value;
+    Arc_circles result = circles(box);
+    std::array<Jet<Interval>, 2> jets;
+    jets[base] = {box[base], Interval(1), Interval(0)};
+    jets[pivot] = {jet->value, jet->first, jet->second};
+    narrow(result, lo, hi, jets);
+    return result;
   }
   /// In a node's cell.
   Arc_circles over_half_branch() const
@@ -54,9 +67,12 @@ public:
 
   Placed placed_over(double lo, double hi) const
   {
+    const auto base = static_cast<std::size_t>(evaluator_->base()), pivot = static_cast<std::size_t>(evaluator_->pivot());
+    const Interval at_lo = pivot_at(lo), at_hi = pivot_at(hi);
+    const auto jet = evaluator_->jet_over(lo, hi, at_lo, at_hi);
     std::array<Interval, 2> box;
-    box[static_cast<std::size_t>(evaluator_->base())] = Interval(lo, hi);
-    box[static_cast<std::size_t>(evaluator_->pivot())] = evaluator_->range_over(lo, hi, pivot_at(lo), pivot_at(hi));
+    box[base] = Interval(lo, hi);
+    box[pivot] = jet ? jet->value : evaluator_->range_over(lo, hi, at_lo, at_hi);
     return steps_.place_on(stretch_, box);
   }
 
@@ -85,43 +101,78 @@ private:
   {
     const Bisector_map_2& map = p.patch->map;
     const std::array<Interval, 2> local = map.chart()(p.at);
-    Arc_circles result{Circle(), {Contact_foot{site_[0], local[0]}, Contact_foot{site_[1], local[1]}}};
-    const bool is_near = magnitude(p.radius) < far * scale_ && width(p.point.x) < scale_ && width(p.point.y) < scale_;
-    result.circle = Circle(is_near ? by_centre(map, local, p.point) : by_curvature(map, local));
+    Arc_circles result{Circle(), {Contact_foot{site_[0], local[0]}, Contact_foot{site_[1], local[1]}}, is_near(p)};
+    result.circle = Circle(result.is_by_centre ? by_centre(map, local, p.point) : by_curvature(map, local));
     return result;
   }
 
-  /// |x - q|² - ρ², with ρ from the distance to either foot.
-  static std::array<Interval, 4> by_centre(const Bisector_map_2& map, const std::array<Interval, 2>& local, const Vector_2<Interval>& q)
+  bool is_near(const Placed& p) const { return magnitude(p.radius) < far * scale_ && width(p.point.x) < scale_ && width(p.point.y) < scale_; }
+
+  /// By the circle in the middle and the coefficients' derivatives, where that tells more.
+  void narrow(Arc_circles& all, double lo, double hi, const std::array<Jet<Interval>, 2>& jets) const
   {
-    const auto rest = [&](const Vector_2<Interval>& foot) { return Interval(2) * dot(q, foot) - CGAL::square(foot.x) - CGAL::square(foot.y); };
-    const Interval a = rest(map.first().point(local[0])), b = rest(map.second().point(local[1]));
-    const auto is_finite = [](const Interval& x) { return std::isfinite(magnitude(x)); };
-    return {Interval(1), Interval(-2) * q.x, Interval(-2) * q.y, is_finite(a) && is_finite(b) ? common_part(a, b) : is_finite(a) ? a : b};
+    const double middle = lo + 0.5 * (hi - lo);
+    if (!(lo < middle && middle < hi) || middle <= stretch_.lo.sup() || middle >= stretch_.hi.inf()) return;
+    const Placed at_middle = steps_.place_on(stretch_, Arc_steps::parameters(*evaluator_, middle, guess(middle)));
+    const Bisector_map_2& map = at_middle.patch->map;
+    const bool is_by_centre = is_near(at_middle);
+    const std::array<Interval, 2> local = map.chart()(at_middle.at);
+    const std::array<Jet<Interval>, 2> along = map.chart()(jets);
+    const auto c = is_by_centre ? by_centre(map, local, at_middle.point) : by_curvature(map, local);
+    const auto slope = is_by_centre ? by_centre(map, along, map.at(jets, map.choose({midpoint(jets[0].value), midpoint(jets[1].value)})).point) : by_curvature(map, along);
+    const Interval half = Interval(hi) - Interval(middle);
+    std::array<Interval, 4> closer;
+    double error = 0, closer_error = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double reach = (Interval(magnitude(slope[k].first)) * half).sup();
+      closer[k] = std::isfinite(reach) ? c[k] + Interval(-reach, reach) : Interval(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
+      closer_error = std::max(closer_error, width(closer[k]));
+      error = std::max(error, all.circle.error[k]);
+    }
+    if (is_by_centre == all.is_by_centre ? closer_error < 2 * error : std::isfinite(closer_error)) {
+      all.circle = Circle(closer);
+      all.is_by_centre = is_by_centre;
+    }
   }
+
+  /// |x - q|² - ρ², with ρ from the distance to a foot.
+  template <class T>
+  static std::array<T, 4> by_centre(const Bisector_map_2& map, const std::array<T, 2>& local, const Vector_2<T>& q)
+  {
+    const T two(Interval(2));
+    const Vector_2<T> a = map.first().point(local[0]), b = map.second().point(local[1]);
+    const T by_a = two * dot(q, a) - dot(a, a), by_b = two * dot(q, b) - dot(b, b);
+    return {T(Interval(1)), -two * q.x, -two * q.y, width_of(by_a) <= width_of(by_b) ? by_a : by_b};
+  }
+
+  static double width_of(const Interval& x) { return width(x); }
+  static double width_of(const Jet<Interval>& x) { return magnitude(x.first); }
 
   /// κ|x - A|² - 2⟨n, x - A⟩ for the first foot A with its normal n, which vanishes at the other foot; times a sign so that the inside
   /// is negative. For the second foot where the first one is infinite.
-  std::array<Interval, 4> by_curvature(const Bisector_map_2& map, const std::array<Interval, 2>& local) const
+  template <class T>
+  std::array<T, 4> by_curvature(const Bisector_map_2& map, const std::array<T, 2>& local) const
   {
     const Curve_evaluator* curve[2] = {&map.first(), &map.second()};
-    const Interval w[2] = {curve[0]->weight(local[0]), curve[1]->weight(local[1])};
-    const std::size_t k = contains_zero(w[0]) ? 1 : 0;
-    const Vector_2<Interval> foot = curve[k]->point(local[k]), a = curve[k]->tangent(local[k]);
-    const Interval s(orientation_[k]), kappa = s * curvature(map, local, k), nx = s * -a.y, ny = s * a.x, two(2);
-    return {kappa, -two * (kappa * foot.x + nx), -two * (kappa * foot.y + ny),
-            kappa * (CGAL::square(foot.x) + CGAL::square(foot.y)) + two * (nx * foot.x + ny * foot.y)};
+    const std::size_t k = contains_zero(value_of(curve[0]->weight(local[0]))) ? 1 : 0;
+    const Vector_2<T> foot = curve[k]->point(local[k]), a = curve[k]->tangent(local[k]);
+    const T s{Interval(orientation_[k])}, kappa = s * curvature(map, local, k), nx = -(s * a.y), ny = s * a.x, two{Interval(2)};
+    return {kappa, -(two * (kappa * foot.x + nx)), -(two * (kappa * foot.y + ny)), kappa * dot(foot, foot) + two * (nx * foot.x + ny * foot.y)};
   }
 
+  static const Interval& value_of(const Interval& x) { return x; }
+  static const Interval& value_of(const Jet<Interval>& x) { return x.value; }
+
   /// κ = 2⟨n, Δ⟩/|Δ|² at either foot, Δ the chord to the other one; finite where a foot is not.
-  static Interval curvature(const Bisector_map_2& map, const std::array<Interval, 2>& local, std::size_t k)
+  template <class T>
+  static T curvature(const Bisector_map_2& map, const std::array<T, 2>& local, std::size_t k)
   {
     const Curve_evaluator &first = map.first(), &second = map.second();
-    const Interval w1 = first.weight(local[0]), w2 = second.weight(local[1]);
-    const Vector_2<Interval> p1 = first.numerator(local[0]), p2 = second.numerator(local[1]);
-    const Vector_2<Interval> e{p2.x * w1 - p1.x * w2, p2.y * w1 - p1.y * w2};
-    const Vector_2<Interval> a = k == 0 ? first.tangent(local[0]) : second.tangent(local[1]);
-    return Interval(k == 0 ? 2 : -2) * w1 * w2 * cross(a, e) / (CGAL::square(e.x) + CGAL::square(e.y));
+    const T w1 = first.weight(local[0]), w2 = second.weight(local[1]);
+    const Vector_2<T> p1 = first.numerator(local[0]), p2 = second.numerator(local[1]);
+    const Vector_2<T> e{p2.x * w1 - p1.x * w2, p2.y * w1 - p1.y * w2};
+    const Vector_2<T> a = k == 0 ? first.tangent(local[0]) : second.tangent(local[1]);
+    return T(Interval(k == 0 ? 2 : -2)) * w1 * w2 * cross(a, e) / dot(e, e);
   }
 
   /// On which side of either curve the circles lie: the signs of κ along the step.

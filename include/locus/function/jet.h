@@ -28,6 +28,12 @@ Jet<T> operator-(const Jet<T>& a, const Jet<T>& b)
 }
 
 template <class T>
+Jet<T> operator-(const Jet<T>& a)
+{
+  return {-a.value, -a.first, -a.second};
+}
+
+template <class T>
 Jet<T> operator*(const Jet<T>& a, const Jet<T>& b)
 {
   return {a.value * b.value, a.first * b.value + a.value * b.first,
