@@ -29,33 +29,47 @@ public:
 
   const Arc_stretch& stretch() const { return stretch_; }
   bool is_half_branch() const { return stretch_.piece->is_half_branch; }
-  /// Base values from end to end.
-  Interval base_range() const { return {stretch_.lo.inf(), stretch_.hi.sup()}; }
+  /// A point of the step: its base value, which at an end of the step is only enclosed, and the chart's coordinates.
+  struct Place {
+    double base = 0;
+    std::array<Interval, 2> at;
+    bool is_end = false;
+  };
 
-  /// At a base value, and over a range of them; at the piece's ends, of its vertices.
-  Arc_circles at(double base) const
+  std::array<Place, 2> ends() const
   {
-    if (base <= stretch_.lo.sup()) return circles(steps_.place_vertex(stretch_, stretch_.piece->from));
-    if (base >= stretch_.hi.inf()) return circles(steps_.place_vertex(stretch_, stretch_.piece->to));
-    return circles(Arc_steps::parameters(*evaluator_, base, guess(base)));
+    const auto end = [&](std::size_t vertex, double base) { return Place{base, steps_.vertex(stretch_, vertex).at, true}; };
+    return {end(stretch_.piece->from, stretch_.lo.inf()), end(stretch_.piece->to, stretch_.hi.sup())};
   }
-  Arc_circles over(double lo, double hi) const
+  /// Nothing where no double lies between.
+  std::optional<Place> between(const Place& a, const Place& b, double f = 0.5) const
   {
-    const auto base = static_cast<std::size_t>(evaluator_->base()), pivot = static_cast<std::size_t>(evaluator_->pivot());
-    const Interval at_lo = pivot_at(lo), at_hi = pivot_at(hi);
+    const double lo = a.is_end ? stretch_.lo.sup() : a.base, hi = b.is_end ? stretch_.hi.inf() : b.base, base = lo + f * (hi - lo);
+    if (!(lo < base && base < hi)) return std::nullopt;
+    const auto pivot = static_cast<std::size_t>(evaluator_->pivot());
+    return Place{base, Arc_steps::parameters(*evaluator_, base, midpoint(a.at[pivot]) * (1 - f) + midpoint(b.at[pivot]) * f), false};
+  }
+
+  Arc_circles at(const Place& p) const
+  {
+    if (p.is_end) return circles(steps_.place_vertex(stretch_, p.base <= stretch_.lo.sup() ? stretch_.piece->from : stretch_.piece->to));
+    return circles(steps_.place_on(stretch_, p.at));
+  }
+
+  /// Over all from one place to another, with one between if there is one.
+  Arc_circles over(const Place& a, const Place& b, const std::optional<Place>& middle) const
+  {
+    const auto pivot = static_cast<std::size_t>(evaluator_->pivot());
+    const auto jet = evaluator_->jet_over(a.base, b.base, a.at[pivot], b.at[pivot]);
     std::array<Interval, 2> box;
-    box[base] = Interval(lo, hi);
-    const auto jet = evaluator_->jet_over(lo, hi, at_lo, at_hi);
-    if (!jet) {
-      box[pivot] = evaluator_->range_over(lo, hi, at_lo, at_hi);
-      return circles(box);
-    }
-    box[pivot] = jet->value;
-    Arc_circles result = circles(box);
+    box[1 - pivot] = Interval(a.base, b.base);
+    box[pivot] = jet ? jet->value : evaluator_->range_over(a.base, b.base, a.at[pivot], b.at[pivot]);
+    Arc_circles result = circles(steps_.place_on(stretch_, box));
+    if (!jet || !middle) return result;
     std::array<Jet<Interval>, 2> jets;
-    jets[base] = {box[base], Interval(1), Interval(0)};
+    jets[1 - pivot] = {box[1 - pivot], Interval(1), Interval(0)};
     jets[pivot] = {jet->value, jet->first, jet->second};
-    narrow(result, lo, hi, jets);
+    narrow(result, *middle, std::max(b.base - middle->base, middle->base - a.base) * (1 + 4 * operation_error), jets);
     return result;
   }
   /// In a node's cell.
@@ -65,14 +79,13 @@ public:
   }
   Arc_circles at_outer_end() const { return circles(steps_.place_vertex(stretch_, stretch_.piece->to)); }
 
-  Placed placed_over(double lo, double hi) const
+  Placed placed_over(const Place& a, const Place& b) const
   {
-    const auto base = static_cast<std::size_t>(evaluator_->base()), pivot = static_cast<std::size_t>(evaluator_->pivot());
-    const Interval at_lo = pivot_at(lo), at_hi = pivot_at(hi);
-    const auto jet = evaluator_->jet_over(lo, hi, at_lo, at_hi);
+    const auto pivot = static_cast<std::size_t>(evaluator_->pivot());
+    const auto jet = evaluator_->jet_over(a.base, b.base, a.at[pivot], b.at[pivot]);
     std::array<Interval, 2> box;
-    box[base] = Interval(lo, hi);
-    box[pivot] = jet ? jet->value : evaluator_->range_over(lo, hi, at_lo, at_hi);
+    box[1 - pivot] = Interval(a.base, b.base);
+    box[pivot] = jet ? jet->value : evaluator_->range_over(a.base, b.base, a.at[pivot], b.at[pivot]);
     return steps_.place_on(stretch_, box);
   }
 
@@ -80,22 +93,12 @@ private:
   /// Circles about points farther than this multiple of the inputs' diameter are given by curvature and normal.
   static constexpr double far = 4;
 
-  Interval pivot_at(double base) const
-  {
-    const auto pivot = static_cast<std::size_t>(evaluator_->pivot());
-    if (base <= stretch_.lo.sup()) return steps_.vertex(stretch_, stretch_.piece->from).at[pivot];
-    if (base >= stretch_.hi.inf()) return steps_.vertex(stretch_, stretch_.piece->to).at[pivot];
-    return evaluator_->pivot_at(base, guess(base));
-  }
-
   double guess(double base) const
   {
     const auto pivot = static_cast<std::size_t>(evaluator_->pivot());
     const double lo = stretch_.lo.sup(), hi = stretch_.hi.inf(), g = hi > lo ? std::min(1.0, std::max(0.0, (base - lo) / (hi - lo))) : 0.5;
     return midpoint(steps_.vertex(stretch_, stretch_.piece->from).at[pivot]) * (1 - g) + midpoint(steps_.vertex(stretch_, stretch_.piece->to).at[pivot]) * g;
   }
-
-  Arc_circles circles(const std::array<Interval, 2>& at) const { return circles(steps_.place_on(stretch_, at)); }
 
   Arc_circles circles(const Placed& p) const
   {
@@ -108,31 +111,48 @@ private:
 
   bool is_near(const Placed& p) const { return magnitude(p.radius) < far * scale_ && width(p.point.x) < scale_ && width(p.point.y) < scale_; }
 
-  /// By the circle in the middle and the coefficients' derivatives, where that tells more.
-  void narrow(Arc_circles& all, double lo, double hi, const std::array<Jet<Interval>, 2>& jets) const
+  /// By the circle in the middle and the coefficients' derivatives there and over all of the range, where that tells more.
+  void narrow(Arc_circles& all, const Place& middle, double half_width, const std::array<Jet<Interval>, 2>& jets) const
   {
-    const double middle = lo + 0.5 * (hi - lo);
-    if (!(lo < middle && middle < hi) || middle <= stretch_.lo.sup() || middle >= stretch_.hi.inf()) return;
-    const Placed at_middle = steps_.place_on(stretch_, Arc_steps::parameters(*evaluator_, middle, guess(middle)));
-    const Bisector_map_2& map = at_middle.patch->map;
-    const bool is_by_centre = is_near(at_middle);
-    const std::array<Interval, 2> local = map.chart()(at_middle.at);
-    const std::array<Jet<Interval>, 2> along = map.chart()(jets);
-    const auto c = is_by_centre ? by_centre(map, local, at_middle.point) : by_curvature(map, local);
-    const auto slope = is_by_centre ? by_centre(map, along, map.at(jets, map.choose({midpoint(jets[0].value), midpoint(jets[1].value)})).point) : by_curvature(map, along);
-    const Interval half = Interval(hi) - Interval(middle);
-    std::array<Interval, 4> closer;
-    double error = 0, closer_error = 0;
+    const std::array<Interval, 2>& at = middle.at;
+    const auto pivot = static_cast<std::size_t>(evaluator_->pivot());
+    const auto jet = evaluator_->jet_over(middle.base, middle.base, at[pivot], at[pivot]);
+    if (!jet) return;
+    std::array<Jet<Interval>, 2> here;
+    here[1 - pivot] = {at[1 - pivot], Interval(1), Interval(0)};
+    here[pivot] = {at[pivot], jet->first, jet->second};
+    const Placed placed = steps_.place_on(stretch_, at);
+    const bool is_by_centre = is_near(placed);
+    const Map_formula formula = placed.patch->map.choose({midpoint(at[0]), midpoint(at[1])});
+    const auto c = coefficients(is_by_centre, here, formula), over = coefficients(is_by_centre, jets, formula);
+    const Interval half(half_width);
+    std::array<Interval, 4> value, slope, value_alone, no_slope;
     for (std::size_t k = 0; k < 4; ++k) {
-      const double reach = (Interval(magnitude(slope[k].first)) * half).sup();
-      closer[k] = std::isfinite(reach) ? c[k] + Interval(-reach, reach) : Interval(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
-      closer_error = std::max(closer_error, width(closer[k]));
-      error = std::max(error, all.circle.error[k]);
+      const double first = (Interval(magnitude(over[k].first)) * half).sup(), second = (Interval(magnitude(over[k].second)) * half * half * Interval(0.5)).sup();
+      value_alone[k] = c[k].value + within(first);
+      value[k] = c[k].value + within(second);
+      slope[k] = c[k].first * half;
+      no_slope[k] = Interval(0);
     }
-    if (is_by_centre == all.is_by_centre ? closer_error < 2 * error : std::isfinite(closer_error)) {
-      all.circle = Circle(closer);
-      all.is_by_centre = is_by_centre;
-    }
+    const Circle linear(value, slope), constant(value_alone, no_slope);
+    const Circle& better = linear.greatest_error() < constant.greatest_error() ? linear : constant;
+    const double error = better.greatest_error();
+    if (!std::isfinite(error) || (is_by_centre == all.is_by_centre && error > 2 * all.circle.greatest_error())) return;
+    all.circle = better;
+    all.is_by_centre = is_by_centre;
+  }
+
+  static Interval within(double reach)
+  {
+    const double r = reach <= std::numeric_limits<double>::max() ? reach : std::numeric_limits<double>::infinity();
+    return Interval(-r, r);
+  }
+
+  std::array<Jet<Interval>, 4> coefficients(bool is_by_centre, const std::array<Jet<Interval>, 2>& at, Map_formula formula) const
+  {
+    const Bisector_map_2& map = steps_.patch(stretch_).map;
+    const std::array<Jet<Interval>, 2> local = map.chart()(at);
+    return is_by_centre ? by_centre(map, local, map.at(at, formula).point) : by_curvature(map, local);
   }
 
   /// |x - q|² - ρ², with ρ from the distance to a foot.

@@ -12,8 +12,8 @@ namespace detail {
 /// Where circles along an arc cease to be empty: the place on a step, and what is touched there besides the feet.
 struct Arc_event {
   std::size_t step = 0;
-  Interval base;
-  Arc_circles circles;    ///< of that place
+  Placed place;
+  std::array<Contact_foot, 2> feet;
   Contact_list contacts;  ///< parts and vertices one of which at least is touched
 };
 
@@ -41,7 +41,6 @@ public:
   {
     Contact_list all = search_.everything();
     for (std::size_t k = 0; k < steps_.size(); ++k) treat_step(k, all);
-    join();
     return parts();
   }
 
@@ -51,6 +50,7 @@ public:
 
 private:
   enum class Answer : unsigned char { empty, nonempty, unknown };
+  using Place = Step_circles::Place;
 
   /// A stretch of the arc with one answer, in the arc's direction, and the event at its end, if that is one.
   struct Section {
@@ -73,10 +73,8 @@ private:
     if (circles.is_half_branch()) {
       treat_half_branch(all);
     } else {
-      const Interval range = circles.base_range();
-      const std::optional<Contact_list> list = search(circles.over(range.inf(), range.sup()), all);
-      if (!list) add(range.inf(), range.sup(), Answer::nonempty);
-      else treat(range.inf(), range.sup(), *list, Answer::unknown, Answer::unknown);
+      const auto ends = circles.ends();
+      treat(ends[0], ends[1], all, Answer::unknown, Answer::unknown);
     }
     if (reversed) {
       std::reverse(found.begin(), found.end());
@@ -94,7 +92,10 @@ private:
     return search_.examine(c.circle, c.feet, list);
   }
 
-  void add(double lo, double hi, Answer answer) { found_->push_back({step_, lo, hi, answer, {}}); }
+  void add(double lo, double hi, Answer answer)
+  {
+    found_->push_back({step_, lo, hi, answer, {}});
+  }
 
   void treat_half_branch(const Contact_list& all)
   {
@@ -102,41 +103,48 @@ private:
     const auto list = search(over, all);
     Answer answer = Answer::nonempty;
     if (list) answer = !list->has_open() && search_.are_feet_free(*list, over.feet) ? answer_of(circles_->at_outer_end(), *list) : Answer::unknown;
+    if (answer == Answer::unknown) note_undecided(steps_.over_half_branch(circles_->stretch(), steps_.place_vertex(circles_->stretch(), circles_->stretch().piece->from)));
     add(0, 1, answer);
   }
 
-  /// Base values from lo to hi, given what is left to be looked at; answers at the ends where they are known.
-  void treat(double lo, double hi, const Contact_list& list, Answer at_lo, Answer at_hi)
+  void note_undecided(const Placed& p) { undecided_.push_back(p.patch->parameters(p.at)); }
+
+  /// From one place to another, given what may be touched there; answers at the ends where they are known.
+  void treat(const Place& lo, const Place& hi, const Contact_list& all, Answer at_lo, Answer at_hi)
   {
-    const double middle = lo + 0.5 * (hi - lo);
-    const bool is_smallest = !(hi - lo > least_width) || !(lo < middle && middle < hi) || cells_ > control_.max_cells || control_.is_cancelled();
-    const Arc_circles over = circles_->over(lo, hi);
-    if (search_.are_feet_free(list, over.feet)) {
-      if (!list.has_open()) {
-        for (const double f : {0.5, 0.3125, 0.6875, 0.0625, 0.9375}) {
-          const Answer answer = answer_at(lo + f * (hi - lo), list);
-          if (answer != Answer::unknown) return add(lo, hi, answer);
-        }
-      } else if (is_strict(search_.side_of_chord(list, over.feet))) {
-        if (at_lo == Answer::unknown) at_lo = answer_at(lo, list);
-        if (at_hi == Answer::unknown) at_hi = answer_at(hi, list);
-        if (at_lo != Answer::unknown && at_hi != Answer::unknown) return at_lo == at_hi ? add(lo, hi, at_lo) : locate(lo, hi, list, at_lo);
+    const std::optional<Place> middle = circles_->between(lo, hi);
+    const Arc_circles over = circles_->over(lo, hi, middle);
+    const auto list = search(over, all);
+    if (!list) return add(lo.base, hi.base, Answer::nonempty);
+    Answer at_middle = Answer::unknown;
+    if (search_.are_feet_free(*list, over.feet)) {
+      if (!list->has_open()) {
+        if (middle) at_middle = answer_at(*middle, *list);
+        if (at_middle == Answer::unknown) at_middle = answer_somewhere(lo, hi, *list);
+        if (at_middle != Answer::unknown) return add(lo.base, hi.base, at_middle);
+      } else if (is_strict(search_.side_of_chord(*list, over.feet))) {
+        if (at_lo == Answer::unknown) at_lo = answer_at(lo, *list);
+        if (at_hi == Answer::unknown) at_hi = answer_at(hi, *list);
+        if (at_lo != Answer::unknown && at_hi != Answer::unknown) return at_lo == at_hi ? add(lo.base, hi.base, at_lo) : locate(lo, hi, *list, at_lo);
       }
     }
-    if (is_smallest) return add(lo, hi, Answer::unknown);
-    const Answer at_middle = answer_at(middle, list);
-    treat_part(lo, middle, list, at_lo, at_middle);
-    treat_part(middle, hi, list, at_middle, at_hi);
+    if (!middle || !(hi.base - lo.base > least_width) || cells_ > control_.max_cells || control_.is_cancelled()) {
+      note_undecided(circles_->placed_over(lo, hi));
+      return add(lo.base, hi.base, Answer::unknown);
+    }
+    treat(lo, *middle, *list, at_lo, at_middle);
+    treat(*middle, hi, *list, at_middle, at_hi);
   }
 
-  void treat_part(double lo, double hi, const Contact_list& list, Answer at_lo, Answer at_hi)
+  Answer answer_somewhere(const Place& lo, const Place& hi, const Contact_list& list)
   {
-    const auto rest = search(circles_->over(lo, hi), list);
-    if (!rest) add(lo, hi, Answer::nonempty);
-    else treat(lo, hi, *rest, at_lo, at_hi);
+    for (const double f : {0.3125, 0.6875, 0.0625, 0.9375})
+      if (const auto place = circles_->between(lo, hi, f))
+        if (const Answer answer = answer_at(*place, list); answer != Answer::unknown) return answer;
+    return Answer::unknown;
   }
 
-  Answer answer_at(double base, const Contact_list& list) { return answer_of(circles_->at(base), list); }
+  Answer answer_at(const Place& place, const Contact_list& list) { return answer_of(circles_->at(place), list); }
 
   Answer answer_of(const Arc_circles& c, const Contact_list& list)
   {
@@ -145,39 +153,24 @@ private:
     return rest->has_open() || rest->has_monotone() ? Answer::unknown : Answer::empty;
   }
 
-  /// One change of the answer between lo and hi: its place as closely as doubles tell.
-  void locate(double lo, double hi, const Contact_list& list, Answer at_lo)
+  /// One change of the answer between two places: where, as closely as doubles tell.
+  void locate(Place lo, Place hi, const Contact_list& list, Answer at_lo)
   {
-    const double first = lo, last = hi;
-    while (hi - lo > 0x1p-52) {
-      const double middle = lo + 0.5 * (hi - lo);
-      if (!(lo < middle && middle < hi)) break;
-      const Answer answer = answer_at(middle, list);
+    const double first = lo.base, last = hi.base;
+    while (hi.base - lo.base > 0x1p-52) {
+      const auto middle = circles_->between(lo, hi);
+      const Answer answer = middle ? answer_at(*middle, list) : Answer::unknown;
       if (answer == Answer::unknown) break;
-      (answer == at_lo ? lo : hi) = middle;
+      (answer == at_lo ? lo : hi) = *middle;
     }
-    Arc_event event{step_, Interval(lo, hi), circles_->over(lo, hi), {}};
-    if (auto contacts = search(event.circles, list)) event.contacts = std::move(*contacts);
-    found_->push_back({step_, first, lo, at_lo, std::move(event)});
-    found_->push_back({step_, hi, last, at_lo == Answer::empty ? Answer::nonempty : Answer::empty, {}});
+    const Arc_circles over = circles_->over(lo, hi, circles_->between(lo, hi));
+    Arc_event event{step_, circles_->placed_over(lo, hi), over.feet, {}};
+    if (auto contacts = search(over, list)) event.contacts = std::move(*contacts);
+    found_->push_back({step_, first, lo.base, at_lo, std::move(event)});
+    found_->push_back({step_, hi.base, last, at_lo == Answer::empty ? Answer::nonempty : Answer::empty, {}});
   }
 
   // ----------------------------------------------------------------------------------------------------- the arc
-
-  /// Neighbouring sections with one answer become one; small unknown ones between others are reported.
-  void join()
-  {
-    for (const Section& s : sections_)
-      if (s.answer == Answer::unknown) note_undecided(s);
-  }
-
-  void note_undecided(const Section& s)
-  {
-    const Step_circles circles(steps_, s.step, inputs_, sites_);
-    const Placed p = circles.is_half_branch() ? steps_.over_half_branch(circles.stretch(), steps_.place_vertex(circles.stretch(), circles.stretch().piece->from))
-                                              : circles.placed_over(std::min(s.from, s.to), std::max(s.from, s.to));
-    undecided_.push_back(p.patch->parameters(p.at));
-  }
 
   std::vector<Empty_part> parts() const
   {

@@ -10,9 +10,9 @@
 namespace locus {
 namespace detail {
 
-/// A circle's coefficients in doubles, each with a bound of its error.
+/// The coefficients of a family of circles, c + x·slope for x in [-1, 1], in doubles, each with a bound of its error.
 struct Circle {
-  std::array<double, 4> c{}, error{};
+  std::array<double, 4> c{}, slope{}, error{};
 
   Circle() = default;
   /// Upward rounding needed.
@@ -24,6 +24,14 @@ struct Circle {
       if (!(error[k] < std::numeric_limits<double>::infinity())) error[k] = std::numeric_limits<double>::infinity();
     }
   }
+  Circle(const std::array<Interval, 4>& coefficients, const std::array<Interval, 4>& slopes) : Circle(coefficients)
+  {
+    const Circle other(slopes);
+    slope = other.c;
+    for (std::size_t k = 0; k < 4; ++k) error[k] += other.error[k];
+  }
+
+  double greatest_error() const { return *std::max_element(error.begin(), error.end()); }
 };
 
 /// The Bernstein coefficients of a form along a part of a curve, for all circles of an enclosure: values with error bounds.
@@ -36,6 +44,7 @@ public:
     const std::size_t n = f.count();
     value_.assign(n, 0.0);
     error_.assign(n, 0.0);
+    slope_.assign(n, 0.0);
     double norm = 0;
     for (std::size_t k = 0; k < f.rank(); ++k) {
       difference_.assign(f.component(k), f.component(k) + n);
@@ -43,16 +52,17 @@ public:
         for (std::size_t j = 0; j + 1 < difference_.size() - static_cast<std::size_t>(d); ++j) difference_[j] = difference_[j + 1] - difference_[j];
       for (std::size_t j = 0; j < n; ++j) {
         value_[j] += circle.c[k] * difference_[j];
+        slope_[j] += circle.slope[k] * difference_[j];
         error_[j] += circle.error[k] * std::abs(difference_[j]);
       }
-      norm += std::abs(circle.c[k]) + circle.error[k];
+      norm += std::abs(circle.c[k]) + std::abs(circle.slope[k]) + circle.error[k];
     }
     const auto rank = static_cast<double>(f.rank());
     const double common = std::ldexp((f.error() + (order + rank + 2) * operation_error * f.norm()) * norm, order) + 0x1p-1000;
     const std::size_t size = n > static_cast<std::size_t>(order) ? n - static_cast<std::size_t>(order) : 0;
     value_.resize(size);
     error_.resize(size);
-    for (double& e : error_) e = (e + common) * (1 + 16 * operation_error);
+    for (std::size_t j = 0; j < size; ++j) error_[j] = (error_[j] + std::abs(slope_[j]) + common) * (1 + 16 * operation_error);
   }
 
   std::size_t size() const { return value_.size(); }
@@ -81,7 +91,7 @@ public:
   }
 
 private:
-  std::vector<double> value_, error_, difference_;
+  std::vector<double> value_, error_, slope_, difference_;
 };
 
 /// What circles are tested against along one piece of a curve, with dyadic parts made when they are first asked for. Not for

@@ -61,6 +61,30 @@ public:
     return std::move(data_);
   }
 
+  /// The arcs alone, each for itself, of a cell of which not all features are known.
+  Locus_data<2> make_arcs_alone()
+  {
+    for (const auto& u : cell_.undecided()) note_undecided(u);
+    const auto& stretches = cell_.stretches();
+    for (const Cell_stretch& s : stretches) add_work(s);
+    ends_.resize(stretches.size());
+    for (std::size_t a = 0; a < stretches.size(); ++a)
+      for (std::size_t b = 0; b < stretches.size(); ++b)
+        if (ends_[a].next == none && !ends_[b].has_previous && is_one_arc(stretches[a], 1, stretches[b], 0)) {
+          ends_[a].next = b;
+          ends_[b].has_previous = true;
+        }
+    for (std::size_t a = 0; a < stretches.size(); ++a) {
+      if (!ends_[a].has_previous) ends_[a].vertex[0] = add_loose_vertex(a, 0);
+      if (ends_[a].next == none) ends_[a].vertex[1] = add_loose_vertex(a, 1);
+    }
+    std::vector<char> done(stretches.size(), 0);
+    for (const bool closed : {false, true})
+      for (std::size_t first = 0; first < stretches.size(); ++first)
+        if (!done[first] && (closed || !ends_[first].has_previous)) make_arc(chain_from(first, done), closed);
+    return std::move(data_);
+  }
+
 private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
@@ -291,7 +315,8 @@ private:
     }
     v.feet.push_back(foot_at(s, s.ends[e]));
     // A normal line ends where another foot is as near as the point itself: there is no stretch beyond.
-    if (v.kind == Vertex_kind::trim) add_contacts(v, stretch, e);
+    const bool is_own_end = s.ends[e].is_exact() && (s.ends[e].lo == 0 || s.ends[e].lo == 1);
+    if (v.kind == Vertex_kind::trim && !is_own_end) add_contacts(v, stretch, e);
     return finished(std::move(v));
   }
 
@@ -328,11 +353,7 @@ private:
       for (std::size_t k = 0; k < boundary.size(); ++k) {
         const std::size_t first = boundary[k];
         if (done[first] || !is_own(first) || (!closed && ends_[first].has_previous)) continue;
-        std::vector<std::size_t> chain;
-        for (std::size_t s = first; s != none && !done[s]; s = ends_[s].next) {
-          done[s] = 1;
-          chain.push_back(s);
-        }
+        std::vector<std::size_t> chain = chain_from(first, done);
         const bool reversed = !cell_.stretches()[first].counterclockwise;
         if (reversed) std::reverse(chain.begin(), chain.end());
         outline.arcs.push_back(data_.arcs.size());
@@ -340,6 +361,17 @@ private:
         make_arc(chain, closed);
       }
     if (!seen_.is_beyond_ends()) data_.outline = std::move(outline);
+  }
+
+  /// The stretches of one arc.
+  std::vector<std::size_t> chain_from(std::size_t first, std::vector<char>& done) const
+  {
+    std::vector<std::size_t> chain;
+    for (std::size_t s = first; s != none && !done[s]; s = ends_[s].next) {
+      done[s] = 1;
+      chain.push_back(s);
+    }
+    return chain;
   }
 
   /// Stretches in the order of the parameter.

@@ -120,7 +120,8 @@ public:
     return goes_on_smoothly_at(piece, end) && next == next_at(piece, end);
   }
 
-  Cell_features features() const
+  /// What circles through the point can touch; of one input only, if it is given, though all of them are required to be outside.
+  Cell_features features(const std::optional<std::size_t>& only_input = {}) const
   {
     Cell_feature_maker maker(pieces_);
     if (smooth_hit_) {
@@ -129,6 +130,7 @@ public:
     }
     std::vector<std::pair<std::size_t, int>> vertices;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (only_input && pieces_[i].input != *only_input) continue;
       if (!pieces_[i].is_redundant) maker.add_arc(i);
       for (int end = 0; end < 2; ++end) {
         const std::pair<std::size_t, int> vertex(i, end);

@@ -82,9 +82,8 @@ private:
     double end_error = 0;
     for (std::size_t e = 0; e < 2 && !open.closed; ++e) {
       if (part.ends[e]) {
-        const Placed placed = Step_circles(steps, part.ends[e]->step, {0, is_self_ ? 0u : 1u}, sites_).placed_over(part.ends[e]->base.inf(), part.ends[e]->base.sup());
-        end_error = std::max(end_error, solved_.solution->frame.length(Interval(diameter(placed.point))).sup());
-        open.end[e] = joiner_.add(event_vertex(*part.ends[e], placed));
+        end_error = std::max(end_error, solved_.solution->frame.length(Interval(diameter(part.ends[e]->place.point))).sup());
+        open.end[e] = joiner_.add(event_vertex(*part.ends[e]));
       } else {
         const std::optional<std::size_t> v = e == 0 ? base_.arcs[arc].source() : base_.arcs[arc].target();
         if (v) note_end(open, e, *v);
@@ -111,15 +110,15 @@ private:
     open.vertex[e] = kept_[v];
   }
 
-  Locus_vertex<2> event_vertex(const Arc_event& event, const Placed& placed) const
+  Locus_vertex<2> event_vertex(const Arc_event& event) const
   {
     Locus_vertex<2> v;
     v.kind = Vertex_kind::trim;
-    const Arc_point<2> p = finished(*solved_.solution, placed);
+    const Arc_point<2> p = finished(*solved_.solution, event.place);
     v.point = p.point();
     v.radius = p.radius();
     v.error = p.error();
-    const auto parameters = placed.patch->parameters(placed.at);
+    const auto parameters = event.place.patch->parameters(event.place.at);
     for (std::size_t k = 0; k < 2; ++k) v.feet.push_back({is_self_ ? 0 : k, Feature::interior, {parameters[k]}});
     for (const Contact_foot& contact : open_parts(event.contacts)) v.feet.push_back({sites_[contact.site].input, Feature::interior, {sites_[contact.site].range.at(contact.at)}});
     for (const std::size_t i : event.contacts.vertices) {
@@ -173,11 +172,11 @@ private:
     options.control = options_.control;
     options.least_cut_radius = data_.cut_radius;
     const Seen_curve seen(curves_, p);
-    const Point_cell cell(seen.features(), options_.control);
+    const Point_cell cell(seen.features(is_self_ ? std::nullopt : std::optional(1 - own.input)), options_.control);
     std::vector<std::size_t> inputs;
     for (std::size_t k = 0; k < curves_.size(); ++k) inputs.push_back(k);
     Point_bisector_maker maker(seen, cell, own, inputs, options);
-    Locus_data<2> found = maker.make();
+    Locus_data<2> found = maker.make_arcs_alone();
     data_.statistics.cells += cell.cells();
     data_.statistics.exact_cells += cell.algebraic_cells();
     data_.statistics.filter += cell.filter();
