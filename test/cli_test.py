@@ -236,8 +236,6 @@ INVALID = [
 
 # name, text, words
 MISSING = [
-    ("trimmed by default", job((("options",),)), ["options.trimmed"]),
-    ("trimmed", job((("options", "trimmed"), True)), ["options.trimmed"]),
     ("two points", job((("inputs",), [{"point": [0, 0]}, {"point": [1, 1]}])), ["inputs[1]", "point"]),
     ("one curve in space", job((("inputs",), [SPACE])), ["inputs[0]", "self-bisector", "space"]),
     ("one curve in space, trimmed", job((("inputs",), [SPACE]), (("options",),)), ["inputs[0]", "self-bisector", "space"]),

@@ -131,7 +131,7 @@ std::string json_file(const Settings& settings)
 void refuse_outputs(const Settings& settings, bool svg, bool meshes, bool certificate)
 {
   if (!svg && !settings.svg.empty()) throw locus::Unsupported_feature("--svg: pictures of what is in space (use --ply, --obj or --vtk)");
-  if (!certificate && !settings.certificate.empty()) throw locus::Unsupported_feature("--certificate: certificates of anything but planar bisectors of curves");
+  if (!certificate && !settings.certificate.empty()) throw locus::Unsupported_feature("--certificate: certificates of anything but untrimmed planar bisectors of curves");
   const std::pair<const char*, const std::string&> files[] = {{"--ply", settings.ply}, {"--obj", settings.obj}, {"--vtk", settings.vtk}};
   for (const auto& [name, file] : files)
     if (!meshes && !file.empty()) throw locus::Unsupported_feature(std::string(name) + ": meshes of anything but surfaces");
@@ -139,10 +139,16 @@ void refuse_outputs(const Settings& settings, bool svg, bool meshes, bool certif
 
 int exit_of(locus::Status status) { return status == locus::Status::certified ? answered : something_undecided; }
 
+locus::Locus<2> curve_bisector(const std::vector<locus::Curve_2>& curves, bool trimmed, const locus::Bisector_options& options)
+{
+  if (trimmed) return curves.size() == 1 ? locus::bisector(curves[0], options) : locus::bisector(curves[0], curves[1], options);
+  return curves.size() == 1 ? locus::untrimmed_bisector(curves[0], options) : locus::untrimmed_bisector(curves[0], curves[1], options);
+}
+
 /// Of two planar curves, or of one with itself.
 int planar_bisector(const Settings& settings, const locus::Job& job, const std::string& text, double tolerance)
 {
-  refuse_outputs(settings, true, false, true);
+  refuse_outputs(settings, true, false, !job.options.trimmed);
   std::vector<locus::Curve_2> curves;
   for (const locus::Job_input& input : job.inputs) curves.push_back(*input.curve);
   Watched_run watched(settings);
@@ -150,8 +156,7 @@ int planar_bisector(const Settings& settings, const locus::Job& job, const std::
   options.control = watched.control;
   options.keep_cells = !settings.svg.empty();
   options.keep_evidence = !settings.certificate.empty();
-  const locus::Locus<2> result =
-    curves.size() == 1 ? locus::untrimmed_bisector(curves[0], options) : locus::untrimmed_bisector(curves[0], curves[1], options);
+  const locus::Locus<2> result = curve_bisector(curves, job.options.trimmed, options);
   watched.done();
   locus::Status status = result.status();
   const std::string json = json_file(settings);

@@ -128,7 +128,7 @@ private:
     const Interval half(half_width);
     std::array<Interval, 4> value, slope, value_alone, no_slope;
     for (std::size_t k = 0; k < 4; ++k) {
-      const double first = (Interval(magnitude(over[k].first)) * half).sup(), second = (Interval(magnitude(over[k].second)) * half * half * Interval(0.5)).sup();
+      const double first = (Interval(0, magnitude(over[k].first)) * half).sup(), second = (Interval(0, magnitude(over[k].second)) * half * half * Interval(0.5)).sup();
       value_alone[k] = c[k].value + within(first);
       value[k] = c[k].value + within(second);
       slope[k] = c[k].first * half;

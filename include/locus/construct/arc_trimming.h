@@ -13,6 +13,7 @@ namespace detail {
 struct Arc_event {
   std::size_t step = 0;
   Placed place;
+  std::array<Range, 2> parameters; ///< of both inputs
   std::array<Contact_foot, 2> feet;
   Contact_list contacts;  ///< parts and vertices one of which at least is touched
 };
@@ -21,7 +22,8 @@ struct Arc_event {
 struct Empty_part {
   Arc_part part;
   std::array<std::optional<Arc_event>, 2> ends;
-  bool is_all = false; ///< all of a closed arc
+  std::array<bool, 2> is_open{}; ///< beyond an end nothing is known
+  bool is_all = false;           ///< all of a closed arc
 };
 
 /// Finds the parts of one arc whose circles are empty.
@@ -41,6 +43,7 @@ public:
   {
     Contact_list all = search_.everything();
     for (std::size_t k = 0; k < steps_.size(); ++k) treat_step(k, all);
+    settle_unknown();
     return parts();
   }
 
@@ -52,15 +55,18 @@ private:
   enum class Answer : unsigned char { empty, nonempty, unknown };
   using Place = Step_circles::Place;
 
-  /// A stretch of the arc with one answer, in the arc's direction, and the event at its end, if that is one.
+  /// A stretch of the arc with one answer, in the arc's direction, and the event at its end, if that is one. Of an unknown one, what
+  /// may happen there, and the side of the chord on which all possible contacts lie.
   struct Section {
     std::size_t step;
     double from, to; ///< base values
     Answer answer;
-    std::optional<Arc_event> event; ///< that ends it
+    std::optional<Arc_event> event;
+    Sign side = Sign::unknown;
   };
 
   static constexpr double least_width = 0x1p-44; ///< of base values
+  static constexpr std::size_t most_unknown = 16; ///< places of an arc after which the rest of it is given up
 
   void treat_step(std::size_t k, const Contact_list& all)
   {
@@ -80,7 +86,9 @@ private:
       std::reverse(found.begin(), found.end());
       for (std::size_t i = 0; i < found.size(); ++i) {
         std::swap(found[i].from, found[i].to);
-        found[i].event = i + 1 < found.size() ? std::move(found[i + 1].event) : std::nullopt;
+        if (found[i].answer == Answer::unknown) continue; // its event is its own
+        const bool has_next = i + 1 < found.size() && found[i + 1].answer != Answer::unknown;
+        found[i].event = has_next ? std::move(found[i + 1].event) : std::nullopt;
       }
     }
     sections_.insert(sections_.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
@@ -92,9 +100,12 @@ private:
     return search_.examine(c.circle, c.feet, list);
   }
 
-  void add(double lo, double hi, Answer answer)
+  void add(double lo, double hi, Answer answer) { found_->push_back({step_, lo, hi, answer, {}, Sign::unknown}); }
+
+  void add_unknown(double lo, double hi, Arc_event event, Sign side)
   {
-    found_->push_back({step_, lo, hi, answer, {}});
+    ++unknown_;
+    found_->push_back({step_, lo, hi, Answer::unknown, std::move(event), side});
   }
 
   void treat_half_branch(const Contact_list& all)
@@ -103,34 +114,39 @@ private:
     const auto list = search(over, all);
     Answer answer = Answer::nonempty;
     if (list) answer = !list->has_open() && search_.are_feet_free(*list, over.feet) ? answer_of(circles_->at_outer_end(), *list) : Answer::unknown;
-    if (answer == Answer::unknown) note_undecided(steps_.over_half_branch(circles_->stretch(), steps_.place_vertex(circles_->stretch(), circles_->stretch().piece->from)));
-    add(0, 1, answer);
+    if (answer != Answer::unknown) return add(0, 1, answer);
+    const Placed place = steps_.over_half_branch(circles_->stretch(), steps_.place_vertex(circles_->stretch(), circles_->stretch().piece->from));
+    add_unknown(0, 1, event_at(place, over.feet, {}), Sign::unknown);
   }
 
-  void note_undecided(const Placed& p) { undecided_.push_back(p.patch->parameters(p.at)); }
+  Arc_event event_at(const Placed& place, const std::array<Contact_foot, 2>& feet, Contact_list contacts) const
+  {
+    return {step_, place, place.patch->parameters(place.at), feet, std::move(contacts)};
+  }
 
   /// From one place to another, given what may be touched there; answers at the ends where they are known.
   void treat(const Place& lo, const Place& hi, const Contact_list& all, Answer at_lo, Answer at_hi)
   {
+    if (unknown_ >= most_unknown) return add_unknown(lo.base, hi.base, event_at(circles_->placed_over(lo, hi), {}, {}), Sign::unknown);
     const std::optional<Place> middle = circles_->between(lo, hi);
     const Arc_circles over = circles_->over(lo, hi, middle);
     const auto list = search(over, all);
     if (!list) return add(lo.base, hi.base, Answer::nonempty);
     Answer at_middle = Answer::unknown;
+    Sign side = Sign::unknown;
     if (search_.are_feet_free(*list, over.feet)) {
       if (!list->has_open()) {
         if (middle) at_middle = answer_at(*middle, *list);
         if (at_middle == Answer::unknown) at_middle = answer_somewhere(lo, hi, *list);
         if (at_middle != Answer::unknown) return add(lo.base, hi.base, at_middle);
-      } else if (is_strict(search_.side_of_chord(*list, over.feet))) {
+      } else if (side = search_.side_of_chord(*list, over.feet); is_strict(side)) {
         if (at_lo == Answer::unknown) at_lo = answer_at(lo, *list);
         if (at_hi == Answer::unknown) at_hi = answer_at(hi, *list);
-        if (at_lo != Answer::unknown && at_hi != Answer::unknown) return at_lo == at_hi ? add(lo.base, hi.base, at_lo) : locate(lo, hi, *list, at_lo);
+        if (at_lo != Answer::unknown && at_hi != Answer::unknown) return at_lo == at_hi ? add(lo.base, hi.base, at_lo) : locate(lo, hi, *list, at_lo, side);
       }
     }
     if (!middle || !(hi.base - lo.base > least_width) || cells_ > control_.max_cells || control_.is_cancelled()) {
-      note_undecided(circles_->placed_over(lo, hi));
-      return add(lo.base, hi.base, Answer::unknown);
+      return add_unknown(lo.base, hi.base, event_at(circles_->placed_over(lo, hi), over.feet, *list), side);
     }
     treat(lo, *middle, *list, at_lo, at_middle);
     treat(*middle, hi, *list, at_middle, at_hi);
@@ -154,7 +170,7 @@ private:
   }
 
   /// One change of the answer between two places: where, as closely as doubles tell.
-  void locate(Place lo, Place hi, const Contact_list& list, Answer at_lo)
+  void locate(Place lo, Place hi, const Contact_list& list, Answer at_lo, Sign side)
   {
     const double first = lo.base, last = hi.base;
     while (hi.base - lo.base > 0x1p-52) {
@@ -164,13 +180,58 @@ private:
       (answer == at_lo ? lo : hi) = *middle;
     }
     const Arc_circles over = circles_->over(lo, hi, circles_->between(lo, hi));
-    Arc_event event{step_, circles_->placed_over(lo, hi), over.feet, {}};
+    Arc_event event = event_at(circles_->placed_over(lo, hi), over.feet, {});
     if (auto contacts = search(over, list)) event.contacts = std::move(*contacts);
-    found_->push_back({step_, first, lo.base, at_lo, std::move(event)});
-    found_->push_back({step_, hi.base, last, at_lo == Answer::empty ? Answer::nonempty : Answer::empty, {}});
+    found_->push_back({step_, first, lo.base, at_lo, std::move(event), side});
+    add(hi.base, last, at_lo == Answer::empty ? Answer::nonempty : Answer::empty);
   }
 
   // ----------------------------------------------------------------------------------------------------- the arc
+
+  /// Unknown sections side by side with all contacts on one side of the chord, as where an event is at the end of a step: one change
+  /// between different answers, none between equal ones. All others are reported.
+  void settle_unknown()
+  {
+    std::vector<Section> settled;
+    for (std::size_t i = 0; i < sections_.size();) {
+      if (sections_[i].answer != Answer::unknown) {
+        settled.push_back(std::move(sections_[i++]));
+        continue;
+      }
+      std::size_t end = i;
+      bool is_one_sided = true;
+      for (; end < sections_.size() && sections_[end].answer == Answer::unknown; ++end)
+        is_one_sided = is_one_sided && is_strict(sections_[end].side) && sections_[end].side == sections_[i].side;
+      const bool has_answers = i > 0 && end < sections_.size();
+      if (is_one_sided && has_answers && settled.back().answer == sections_[end].answer) {
+        for (std::size_t k = i; k < end; ++k) {
+          sections_[k].answer = settled.back().answer;
+          sections_[k].event.reset();
+          settled.push_back(std::move(sections_[k]));
+        }
+      } else if (is_one_sided && has_answers) {
+        Arc_event event = std::move(*sections_[i].event);
+        for (std::size_t k = i + 1; k < end; ++k) widen(event, *sections_[k].event);
+        settled.back().event = std::move(event);
+      } else {
+        for (std::size_t k = i; k < end; ++k) {
+          undecided_.push_back(sections_[k].event->parameters);
+          sections_[k].event.reset();
+          settled.push_back(std::move(sections_[k]));
+        }
+      }
+      i = end;
+    }
+    sections_ = std::move(settled);
+  }
+
+  static void widen(Arc_event& event, const Arc_event& other)
+  {
+    for (std::size_t v = 0; v < 2; ++v)
+      event.parameters[v] = {std::min(event.parameters[v].lo, other.parameters[v].lo), std::max(event.parameters[v].hi, other.parameters[v].hi)};
+    event.place.point = {hull(event.place.point.x, other.place.point.x), hull(event.place.point.y, other.place.point.y)};
+    event.place.radius = hull(event.place.radius, other.place.radius);
+  }
 
   std::vector<Empty_part> parts() const
   {
@@ -185,11 +246,13 @@ private:
           open->part.first = s.step;
           if (!begins_step) open->part.from = s.from;
           if (i > 0) open->ends[0] = sections_[i - 1].event;
+          open->is_open[0] = i > 0 && !open->ends[0];
         }
         const bool ends_step = i + 1 == sections_.size() || sections_[i + 1].step != s.step;
         open->part.count = s.step - open->part.first + 1;
         open->part.to = ends_step ? std::nullopt : std::optional(s.to);
         open->ends[1] = s.event;
+        open->is_open[1] = i + 1 < sections_.size() && !s.event;
       } else if (open) {
         all.push_back(std::move(*open));
         open.reset();
@@ -212,6 +275,7 @@ private:
     last.part.count += all.front().part.count;
     last.part.to = all.front().part.to;
     last.ends[1] = std::move(all.front().ends[1]);
+    last.is_open[1] = all.front().is_open[1];
     all.erase(all.begin());
   }
 
@@ -221,7 +285,7 @@ private:
   Contact_search search_;
   const Solve_control& control_;
   const Step_circles* circles_ = nullptr;
-  std::size_t step_ = 0, cells_ = 0;
+  std::size_t step_ = 0, cells_ = 0, unknown_ = 0;
   std::vector<Section>* found_ = nullptr;
   std::vector<Section> sections_;
   std::vector<std::array<Range, 2>> undecided_;

@@ -17,7 +17,8 @@ struct Contact_foot {
 struct Contact_leaf {
   enum class State : unsigned char {
     open,     ///< circles may touch it
-    monotone, ///< none touches it, but whether it lies inside shows at its ends
+    rising,   ///< none touches it, and it is outside if its low end is: the power, divided by the weight's square, grows
+    falling,  ///< the same with its high end
     convex    ///< the power is convex along it: nonnegative if it is joined to a foot
   };
   std::size_t site = 0, node = 0;
@@ -35,17 +36,19 @@ struct Contact_list {
   }
   bool has_monotone() const
   {
-    return std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == Contact_leaf::State::monotone; });
+    return std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == Contact_leaf::State::rising || l.state == Contact_leaf::State::falling; });
   }
 };
 
 /// Tells whether circles that touch two feet contain anything else, by signs on parts of the sites. For all circles of an enclosure
 /// at once a part is done with if
 /// - its power is positive;
-/// - its turn has one sign: no circle touches it, and whether it is outside shows at its ends;
+/// - its turn has one sign, so that no circle touches it, and the end where the power is least is outside;
 /// - its turn grows, and it holds a foot or continues such a part: the power is not negative then;
 /// - it holds both feet and the power's fourth derivative is positive: the power has no other zeros than the two double ones.
-/// A negative power at a part's end, or a turn that falls at a foot, means that no circle is empty.
+/// A negative power at a part's end, or a turn that falls at a foot, means that no circle is empty. Two feet in one chain of parts along
+/// which the turn grows contradict each other: such circles are only met beside joints that are taken as smooth and are not, where
+/// they would be a corner's.
 class Contact_search {
 public:
   explicit Contact_search(Contact_sites& sites) : sites_(sites) {}
@@ -64,6 +67,7 @@ public:
     circle_ = &circle;
     feet_ = &feet;
     left_ = {};
+    outside_.clear();
     is_nonempty_ = false;
     budget_ = most_leaves;
     for (const Contact_leaf& leaf : list.leaves) {
@@ -72,6 +76,8 @@ public:
     }
     while (split_loose_convex())
       if (is_nonempty_) return std::nullopt;
+    if (is_nonempty_) return std::nullopt;
+    while (drop_outside()) {}
     for (const std::size_t v : list.vertices) {
       const Sign s = power_at_vertex(v);
       if (s == Sign::negative) return std::nullopt;
@@ -142,8 +148,9 @@ private:
         held += holds(n, f.at);
       }
     turn_.make(*circle_, n.turn, 0);
-    if (is_strict(turn_.common())) {
-      if (!(power_.first() == Sign::positive && power_.last() == Sign::positive)) left_.leaves.push_back({site, node, State::monotone});
+    if (const Sign s = turn_.common(); is_strict(s)) {
+      const bool rises = s == Sign::positive;
+      if ((rises ? power_.first() : power_.last()) != Sign::positive) left_.leaves.push_back({site, node, rises ? State::rising : State::falling});
       return;
     }
     if (held == 2) {
@@ -204,34 +211,73 @@ private:
     return std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == State::convex; });
   }
 
-  /// Which convex parts hold a foot, or continue such a part without a corner between.
+  /// Which convex parts hold a foot, or continue such a part without a corner between: 1 for the first foot, 2 for the second one.
   void note_joined()
   {
     const auto& leaves = left_.leaves;
     joined_.assign(leaves.size(), 0);
     std::vector<std::size_t> todo;
+    char foot = 0;
     const auto join = [&](std::size_t i) {
-      if (joined_[i] || leaves[i].state != State::convex) return;
-      joined_[i] = 1;
+      if (leaves[i].state != State::convex || joined_[i] == foot) return;
+      is_nonempty_ = is_nonempty_ || joined_[i] != 0;
+      joined_[i] = foot;
       todo.push_back(i);
     };
-    for (std::size_t i = 0; i < leaves.size(); ++i)
-      for (const Contact_foot& f : *feet_)
+    for (const Contact_foot& f : *feet_) {
+      ++foot;
+      for (std::size_t i = 0; i < leaves.size(); ++i)
         if (f.site == leaves[i].site && reaches(sites_[f.site].tree.node(leaves[i].node), f.at)) join(i);
-    while (!todo.empty()) {
-      const std::size_t i = todo.back();
-      todo.pop_back();
-      for (std::size_t k = 0; k < leaves.size(); ++k)
-        if (are_neighbours(leaves[i], leaves[k])) join(k);
+      while (!todo.empty()) {
+        const std::size_t i = todo.back();
+        todo.pop_back();
+        for (std::size_t k = 0; k < leaves.size(); ++k)
+          if (are_neighbours(leaves[i], leaves[k])) join(k);
+      }
     }
   }
 
-  bool are_neighbours(const Contact_leaf& a, const Contact_leaf& b) const
+  /// Monotone parts that begin where a convex part ends, or go on from such a part, are outside. Whether there were any.
+  bool drop_outside()
+  {
+    auto& leaves = left_.leaves;
+    const auto is_monotone = [](const Contact_leaf& l) { return l.state == State::rising || l.state == State::falling; };
+    if (outside_.size() != leaves.size()) outside_.assign(leaves.size(), 0);
+    bool any = false;
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      if (!is_monotone(leaves[i]) || outside_[i]) continue;
+      const auto begins_at = [&](std::size_t k) {
+        const bool follows = leaves[i].state == State::rising ? meets(leaves[k], leaves[i]) : meets(leaves[i], leaves[k]);
+        return follows && (leaves[k].state == State::convex || outside_[k]);
+      };
+      for (std::size_t k = 0; k < leaves.size() && !outside_[i]; ++k)
+        if (k != i && begins_at(k)) outside_[i] = any = true;
+    }
+    if (any) return true;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+      if (!outside_[i]) leaves[kept++] = leaves[i];
+    leaves.resize(kept);
+    outside_.clear();
+    return false;
+  }
+
+  /// Whether the second part begins, smoothly or in a corner, where the first one ends.
+  bool meets(const Contact_leaf& a, const Contact_leaf& b) const
+  {
+    if (goes_on(a, b)) return true;
+    const std::size_t corner = sites_[a.site].vertex[1];
+    return corner != Contact_sites::none && corner == sites_[b.site].vertex[0] && sites_[a.site].tree.node(a.node).hi == 1 && sites_[b.site].tree.node(b.node).lo == 0;
+  }
+
+  /// Whether the second part begins, smoothly, where the first one ends.
+  bool goes_on(const Contact_leaf& a, const Contact_leaf& b) const
   {
     const Node &m = sites_[a.site].tree.node(a.node), &n = sites_[b.site].tree.node(b.node);
-    if (a.site == b.site && (m.hi == n.lo || n.hi == m.lo)) return true;
-    return (m.hi == 1 && n.lo == 0 && sites_[a.site].smooth_next[1] == b.site) || (n.hi == 1 && m.lo == 0 && sites_[b.site].smooth_next[1] == a.site);
+    return (a.site == b.site && m.hi == n.lo) || (m.hi == 1 && n.lo == 0 && sites_[a.site].smooth_next[1] == b.site);
   }
+
+  bool are_neighbours(const Contact_leaf& a, const Contact_leaf& b) const { return goes_on(a, b) || goes_on(b, a); }
 
   /// Whether a vertex is the end of a convex part that is joined to a foot.
   bool ends_joined_part(std::size_t vertex) const
@@ -258,7 +304,7 @@ private:
   bool is_nonempty_ = false;
   std::size_t budget_ = 0;
   Contact_row power_, turn_, slope_, fourth_;
-  std::vector<char> joined_;
+  std::vector<char> joined_, outside_;
 };
 
 } // namespace detail

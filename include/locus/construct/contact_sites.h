@@ -43,8 +43,7 @@ public:
         const Joint* joint = pieces.chain.joint_at(i, end);
         const std::size_t next = joint ? first + pieces.chain.neighbour(i, end) : none;
         const auto e = static_cast<std::size_t>(end);
-        // Least distances are exact: a joint that turns a little is a corner, whatever tolerance took it for smooth.
-        if (joint && joint->goes_on() && !joint->by_tolerance) {
+        if (joint && joint->goes_on()) {
           sites_[first + i].smooth_next[e] = next;
         } else if (joint && end == 0 && next != first + i) {
           continue; // noted with the end of the piece before

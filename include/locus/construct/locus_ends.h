@@ -66,6 +66,14 @@ public:
   /// How many ends were joined to an end, itself included.
   std::size_t degree(std::size_t end) const { return degree_[end]; }
 
+  /// Whether two ranges of an input's parameter have a place in common.
+  bool may_be_one_place(std::size_t input, const Range& x, const Range& y) const
+  {
+    if (overlap(x, y)) return true;
+    const Seam& seam = seams_[input];
+    return seam.is_closed && ((overlap(x, seam.first) && overlap(y, seam.last)) || (overlap(x, seam.last) && overlap(y, seam.first)));
+  }
+
   /// Feet at one place are one; what is known best of it remains.
   std::vector<Foot> distinct(std::vector<Foot> feet) const
   {
@@ -86,10 +94,7 @@ private:
   {
     if (a.input != b.input) return false;
     if (a.parameters.empty() || b.parameters.empty()) return a.parameters.empty() && b.parameters.empty();
-    const Range &x = a.parameters[0], &y = b.parameters[0];
-    if (overlap(x, y)) return true;
-    const Seam& seam = seams_[a.input];
-    return seam.is_closed && ((overlap(x, seam.first) && overlap(y, seam.last)) || (overlap(x, seam.last) && overlap(y, seam.first)));
+    return may_be_one_place(a.input, a.parameters[0], b.parameters[0]);
   }
 
   /// An end or a corner says more than the inside beside it, and a narrow enclosure more than a wide one.

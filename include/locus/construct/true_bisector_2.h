@@ -21,8 +21,7 @@ public:
     data_.trimmed = true;
     data_.vertices.clear();
     data_.arcs.clear();
-    data_.undecided.clear();
-    for (const auto& u : base_.undecided) data_.undecided.push_back(u);
+    data_.degenerate.clear(); // they are of the equations
     for (std::size_t k = 0; k < curves_.size(); ++k) sites_.add_input(*solved_.pieces[k]);
   }
 
@@ -84,6 +83,8 @@ private:
       if (part.ends[e]) {
         end_error = std::max(end_error, solved_.solution->frame.length(Interval(diameter(part.ends[e]->place.point))).sup());
         open.end[e] = joiner_.add(event_vertex(*part.ends[e]));
+      } else if (part.is_open[e]) {
+        open.vertex[e] = add_undecided_vertex();
       } else {
         const std::optional<std::size_t> v = e == 0 ? base_.arcs[arc].source() : base_.arcs[arc].target();
         if (v) note_end(open, e, *v);
@@ -91,6 +92,14 @@ private:
     }
     open.geometry = std::make_shared<Planar_arc>(solved_.solution, arc, part.part, end_error);
     arcs_.push_back(std::move(open));
+  }
+
+  std::size_t add_undecided_vertex()
+  {
+    Locus_vertex<2> v;
+    v.kind = Vertex_kind::undecided;
+    data_.vertices.push_back(std::move(v));
+    return data_.vertices.size() - 1;
   }
 
   /// An end that the untrimmed arc has, too.
@@ -118,8 +127,7 @@ private:
     v.point = p.point();
     v.radius = p.radius();
     v.error = p.error();
-    const auto parameters = event.place.patch->parameters(event.place.at);
-    for (std::size_t k = 0; k < 2; ++k) v.feet.push_back({is_self_ ? 0 : k, Feature::interior, {parameters[k]}});
+    for (std::size_t k = 0; k < 2; ++k) v.feet.push_back({is_self_ ? 0 : k, Feature::interior, {event.parameters[k]}});
     for (const Contact_foot& contact : open_parts(event.contacts)) v.feet.push_back({sites_[contact.site].input, Feature::interior, {sites_[contact.site].range.at(contact.at)}});
     for (const std::size_t i : event.contacts.vertices) {
       const Contact_vertex& at = sites_.vertices()[i];
@@ -151,15 +159,18 @@ private:
   {
     const Curve_2& curve = *curves_[input];
     const Chain& chain = curve.chain();
+    std::vector<Exact_point<2>> corners;
     for (std::size_t i = 0; i < curve.pieces().size(); ++i)
       for (const int end : {0, 1}) {
         const Joint* joint = chain.joint_at(i, end);
-        if (joint && ((joint->goes_on() && !joint->by_tolerance) || end == 0 || joint->kind == Joint_kind::pole)) continue;
+        if (joint && (joint->goes_on() || end == 0 || joint->kind == Joint_kind::pole)) continue;
         const Curve_piece<2>& piece = curve.pieces()[i];
         const auto value = [end](const Bernstein<Rational, 1>& f) { return f[end == 0 ? 0 : f.size() - 1]; };
         if (value(piece.weight) == 0) continue;
         Exact_point<2> p;
         for (std::size_t k = 0; k < 2; ++k) p[k] = value(piece.numerator[k]) / value(piece.weight);
+        if (std::find(corners.begin(), corners.end(), p) != corners.end()) continue; // the curve passes it again
+        corners.push_back(p);
         const Feature feature = joint ? Feature::corner : end == 0 ? Feature::start : Feature::end;
         add_cell(p, {input, feature, {Parameter_range(chain.pieces[i]).at(Interval(end))}});
       }
@@ -194,7 +205,7 @@ private:
     const Arc_point<2> inside = arc.at(0.5);
     const Range &own_parameter = inside.parameters()[own_index], &other = inside.parameters()[1 - own_index];
     const bool is_vertex_pair = arc.features()[0] != Feature::interior && arc.features()[1] != Feature::interior;
-    if (is_self_ && own_parameter.lo <= other.hi && other.lo <= own_parameter.hi) return; // its own normals
+    if (is_self_ && joiner_.may_be_one_place(0, own_parameter, other)) return; // its own normals
     if (is_vertex_pair && own_index == 1) return;                                         // the other vertex lists it
     Open_arc open;
     open.inputs = arc.inputs();
@@ -245,13 +256,36 @@ private:
       for (std::size_t e = 0; e < 2; ++e) {
         if (open.end[e] != none) {
           ends[e] = number[open.end[e]];
-          if (joiner_.degree(open.end[e]) > 1) data_.vertices[*ends[e]].kind = Vertex_kind::trim;
-          else note_loose(data_.vertices[*ends[e]]);
+          Locus_vertex<2>& v = data_.vertices[*ends[e]];
+          if (joiner_.degree(open.end[e]) > 1) v.kind = Vertex_kind::trim;
+          else if (!is_self_ || !ends_in_corner(v)) note_loose(v);
         } else if (open.vertex[e] != none) {
           ends[e] = open.vertex[e];
         }
       }
+      for (std::size_t e = 0; e < 2; ++e)
+        if (ends[e] && data_.vertices[*ends[e]].kind == Vertex_kind::infinity) direct_outwards(data_.vertices[*ends[e]], *open.geometry, e);
       data_.arcs.emplace_back(open.geometry, ends[0], ends[1], open.inputs, open.features);
+    }
+  }
+
+  /// A self-bisector's arc that begins at a corner of the curve.
+  static bool ends_in_corner(const Locus_vertex<2>& v)
+  {
+    return v.kind == Vertex_kind::corner && v.feet.size() == 1;
+  }
+
+  /// The direction at an infinite end is the arc's there.
+  void direct_outwards(Locus_vertex<2>& v, const Arc_geometry<2>& arc, std::size_t end) const
+  {
+    if (!v.direction) return;
+    const Arc_point<2> last = arc.at(end == 0 ? 0.0 : 1.0);
+    double along = 0;
+    for (std::size_t k = 0; k < 2; ++k) along += (last.point()[k] - data_.centre[k]) * (*v.direction)[k];
+    if (!(along < 0)) return;
+    for (std::size_t k = 0; k < 2; ++k) {
+      (*v.direction)[k] = -(*v.direction)[k];
+      if (v.asymptote) v.asymptote->direction[k] = -v.asymptote->direction[k];
     }
   }
 
