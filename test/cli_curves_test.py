@@ -98,6 +98,8 @@ def random_job(rng):
             p = [rng.randint(-8, 8) / 4, side * rng.randint(1, 8) / 4]
             if not points or p != points[-1]:
                 points.append(p)
+        if n > 1 and len({p[1] for p in points}) == 1:
+            points[1][1] += side / 2  # a line that runs back on itself is for a later version
         curve = {"degree": n, "control_points": points}
         if n > 1 and rng.random() < 0.3:
             curve["weights"] = [rng.randint(1, 3) for _ in points]

@@ -161,7 +161,7 @@ private:
     }
     if (reached < 2) {
       slope_.make(*circle_, n.turn, 1);
-      const Sign s = slope_.common();
+      const Sign s = slope_.common({n.lo == 0 ? sites_[site].rests[0] : 0, n.hi == 1 ? sites_[site].rests[1] : 0});
       if (s == Sign::negative && held == 1) {
         is_nonempty_ = true;
         return;

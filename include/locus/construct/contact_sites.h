@@ -16,6 +16,9 @@ struct Contact_site {
   Parameter_range range;
   std::array<std::size_t, 2> vertex;      ///< at its ends: an end or a corner of the input, none where it goes on smoothly or is infinite
   std::array<std::size_t, 2> smooth_next; ///< the site that goes on smoothly behind an end, if one does
+  /// Coefficients of the turn's derivative that vanish at the ends whatever the circle: of a straight polynomial piece that stands
+  /// still there.
+  std::array<std::size_t, 2> rests{};
 };
 
 /// An end or a corner of an input.
@@ -35,8 +38,10 @@ public:
   {
     const std::size_t first = sites_.size(), n = pieces.size();
     first_.push_back(first);
-    for (std::size_t i = 0; i < n; ++i)
-      sites_.push_back({first_.size() - 1, i, Contact_tree(enclosed_contact_forms(*pieces.curves[i])), pieces.evaluator(i), pieces.ranges[i], {none, none}, {none, none}});
+    for (std::size_t i = 0; i < n; ++i) {
+      const Planar_curve& c = *pieces.curves[i];
+      sites_.push_back({first_.size() - 1, i, Contact_tree(enclosed_contact_forms(c)), pieces.evaluator(i), pieces.ranges[i], {none, none}, {none, none}, rests_of(c)});
+    }
     for (std::size_t i = 0; i < n; ++i)
       for (int end = 0; end < 2; ++end) {
         if (pieces.curves[i]->is_infinite_at(end)) continue;
@@ -62,6 +67,17 @@ public:
   const std::vector<Contact_vertex>& vertices() const { return vertices_; }
 
 private:
+  static std::array<std::size_t, 2> rests_of(const Planar_curve& c)
+  {
+    std::array<std::size_t, 2> rests{};
+    if (!c.is_line() || c.weight().degree() > 0) return rests;
+    const std::size_t n = c.numerator(0).size();
+    const auto is_same = [&](std::size_t i, std::size_t j) { return c.numerator(0)[i] == c.numerator(0)[j] && c.numerator(1)[i] == c.numerator(1)[j]; };
+    while (rests[0] + 1 < n && is_same(rests[0], rests[0] + 1)) ++rests[0];
+    while (rests[1] + 1 < n && is_same(n - 1 - rests[1], n - 2 - rests[1])) ++rests[1];
+    return rests;
+  }
+
   std::vector<Contact_site> sites_;
   std::vector<Contact_vertex> vertices_;
   std::vector<std::size_t> first_;

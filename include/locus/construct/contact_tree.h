@@ -69,12 +69,12 @@ public:
   Sign sign_at(std::size_t j) const { return value_[j] > error_[j] ? Sign::positive : value_[j] < -error_[j] ? Sign::negative : Sign::unknown; }
   Sign first() const { return sign_at(0); }
   Sign last() const { return sign_at(value_.size() - 1); }
-  /// The sign of all coefficients, if it is one.
-  Sign common() const
+  /// The sign of all coefficients, if it is one; but for some at the ends that are known to vanish.
+  Sign common(const std::array<std::size_t, 2>& zeros = {}) const
   {
-    if (value_.empty()) return Sign::unknown;
-    const Sign s = first();
-    for (std::size_t j = 1; j < value_.size() && is_strict(s); ++j)
+    if (value_.size() <= zeros[0] + zeros[1]) return Sign::unknown;
+    const Sign s = sign_at(zeros[0]);
+    for (std::size_t j = zeros[0] + 1; j + zeros[1] < value_.size() && is_strict(s); ++j)
       if (sign_at(j) != s) return Sign::unknown;
     return s;
   }

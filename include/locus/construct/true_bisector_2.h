@@ -62,7 +62,7 @@ private:
     const Arc_steps steps(solved_.solution, arc);
     const std::array<std::size_t, 2> inputs{0, is_self_ ? 0u : 1u};
     Arc_trimmer trimmer(steps, inputs, sites_, options_.control);
-    for (const Empty_part& part : trimmer.run()) add_part(arc, steps, part);
+    for (const Empty_part& part : trimmer.run()) add_part(arc, part);
     for (const auto& box : trimmer.undecided()) {
       Undecided_piece u;
       u.box = {box[0], box[1]};
@@ -72,7 +72,7 @@ private:
     data_.statistics.cells += trimmer.cells();
   }
 
-  void add_part(std::size_t arc, const Arc_steps& steps, const Empty_part& part)
+  void add_part(std::size_t arc, const Empty_part& part)
   {
     Open_arc open;
     open.inputs = {0, is_self_ ? 0u : 1u};
@@ -91,6 +91,12 @@ private:
       }
     }
     open.geometry = std::make_shared<Planar_arc>(solved_.solution, arc, part.part, end_error);
+    for (std::size_t e = 0; e < 2; ++e)
+      if (part.is_open[e]) {
+        const Arc_point<2> last = open.geometry->at(e == 0 ? 0.0 : 1.0);
+        data_.vertices[open.vertex[e]].point = last.point();
+        data_.vertices[open.vertex[e]].radius = last.radius();
+      }
     arcs_.push_back(std::move(open));
   }
 
