@@ -166,7 +166,7 @@ private:
   {
     const auto rest = search(c, list);
     if (!rest) return Answer::nonempty;
-    return rest->has_open() || rest->has_monotone() ? Answer::unknown : Answer::empty;
+    return rest->has_open() || rest->has_pending() ? Answer::unknown : Answer::empty;
   }
 
   /// One change of the answer between two places: where, as closely as doubles tell.
@@ -223,6 +223,40 @@ private:
       i = end;
     }
     sections_ = std::move(settled);
+    drop_crumbs();
+  }
+
+  /// What is shorter than can be told from its ends, between parts that are not decided, is not decided either.
+  void drop_crumbs()
+  {
+    const auto is_unknown = [&](std::size_t i) { return sections_[i].answer == Answer::unknown; };
+    for (std::size_t first = 1; first < sections_.size(); ++first) {
+      if (!is_unknown(first - 1) || is_unknown(first)) continue;
+      std::size_t end = first;
+      double length = 0;
+      for (; end < sections_.size() && !is_unknown(end) && !sections_[end].event; ++end) length += std::abs(sections_[end].to - sections_[end].from);
+      if (end == sections_.size() || !is_unknown(end) || length > 0x1p-20) continue;
+      for (std::size_t i = first; i < end; ++i) {
+        if (sections_[i].answer == Answer::empty) note_undecided(sections_[i]);
+        sections_[i].answer = Answer::unknown;
+      }
+    }
+  }
+
+  void note_undecided(const Section& s)
+  {
+    const Step_circles circles(steps_, s.step, inputs_, sites_);
+    const auto ends = circles.ends();
+    const double lo = ends[0].base, length = ends[1].base - lo;
+    std::optional<std::array<Range, 2>> box;
+    for (const double base : {s.from, s.to}) {
+      const auto place = circles.between(ends[0], ends[1], (base - lo) / length);
+      const Placed p = circles.placed_over(place.value_or(ends[0]), place.value_or(ends[0]));
+      const auto parameters = p.patch->parameters(p.at);
+      if (!box) box = parameters;
+      for (std::size_t v = 0; v < 2; ++v) (*box)[v] = {std::min((*box)[v].lo, parameters[v].lo), std::max((*box)[v].hi, parameters[v].hi)};
+    }
+    undecided_.push_back(*box);
   }
 
   static void widen(Arc_event& event, const Arc_event& other)

@@ -19,7 +19,9 @@ struct Contact_leaf {
     open,     ///< circles may touch it
     rising,   ///< none touches it, and it is outside if its low end is: the power, divided by the weight's square, grows
     falling,  ///< the same with its high end
-    convex    ///< the power is convex along it: nonnegative if it is joined to a foot
+    convex,   ///< the turn grows along it: the power is nonnegative if it is joined to a foot
+    quartic,  ///< the power's fourth derivative is positive: of four zeros there are no more than the feet's, if it holds both
+    bent      ///< the curvature is monotone, and there is one foot in it: one further zero at most, which no contact is
   };
   std::size_t site = 0, node = 0;
   State state = State::open;
@@ -34,9 +36,11 @@ struct Contact_list {
   {
     return !vertices.empty() || std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == Contact_leaf::State::open; });
   }
-  bool has_monotone() const
+  /// Whether one circle must tell for all.
+  bool has_pending() const
   {
-    return std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == Contact_leaf::State::rising || l.state == Contact_leaf::State::falling; });
+    using State = Contact_leaf::State;
+    return std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == State::rising || l.state == State::falling || l.state == State::bent; });
   }
 };
 
@@ -45,7 +49,11 @@ struct Contact_list {
 /// - its power is positive;
 /// - its turn has one sign, so that no circle touches it, and the end where the power is least is outside;
 /// - its turn grows, and it holds a foot or continues such a part: the power is not negative then;
-/// - it holds both feet and the power's fourth derivative is positive: the power has no other zeros than the two double ones.
+/// - it holds both feet and the power's fourth derivative is positive: the power has no other zeros than the two double ones;
+/// - it holds one foot, the curvature is monotone along it and the power is positive at its ends: a circle meets such an arc at most
+///   three times (Kneser), so that a further zero would change the power's sign. Two such parts may meet at a smooth joint where
+///   the power is too small to tell: if it vanished there it would be negative at the far end of one of them, so that one circle of
+///   an arc's part tells for all.
 /// A negative power at a part's end, or a turn that falls at a foot, means that no circle is empty. Two feet in one chain of parts along
 /// which the turn grows contradict each other: such circles are only met beside joints that are taken as smooth and are not, where
 /// they would be a corner's.
@@ -74,7 +82,7 @@ public:
       treat(leaf.site, leaf.node);
       if (is_nonempty_) return std::nullopt;
     }
-    while (split_loose_convex())
+    while (split_loose())
       if (is_nonempty_) return std::nullopt;
     if (is_nonempty_) return std::nullopt;
     while (drop_outside()) {}
@@ -153,12 +161,6 @@ private:
       if ((rises ? power_.first() : power_.last()) != Sign::positive) left_.leaves.push_back({site, node, rises ? State::rising : State::falling});
       return;
     }
-    if (held == 2) {
-      fourth_.make(*circle_, n.power, 4);
-      const Sign s = fourth_.common();
-      if (s == Sign::negative) is_nonempty_ = true;
-      if (is_strict(s)) return;
-    }
     if (reached < 2) {
       slope_.make(*circle_, n.turn, 1);
       const Sign s = slope_.common({n.lo == 0 ? sites_[site].rests[0] : 0, n.hi == 1 ? sites_[site].rests[1] : 0});
@@ -171,8 +173,26 @@ private:
         return;
       }
     }
+    if (reached > 0) {
+      fourth_.make(*circle_, n.power, 4);
+      const Sign s = fourth_.common();
+      if (s == Sign::negative && held == 2) {
+        is_nonempty_ = true;
+        return;
+      }
+      if (s == Sign::positive && feet_on(site) == 2) {
+        left_.leaves.push_back({site, node, State::quartic});
+        return;
+      }
+    }
+    if (reached == 1 && feet_on(site) == 1 && (power_.first() == Sign::positive || power_.last() == Sign::positive) && sites_[site].tree.has_monotone_curvature(node)) {
+      if (!(power_.first() == Sign::positive && power_.last() == Sign::positive)) left_.leaves.push_back({site, node, State::bent});
+      return;
+    }
     halve_or_leave(site, node);
   }
+
+  std::size_t feet_on(std::size_t site) const { return static_cast<std::size_t>((*feet_)[0].site == site) + ((*feet_)[1].site == site); }
 
   void halve_or_leave(std::size_t site, std::size_t node)
   {
@@ -188,15 +208,19 @@ private:
     if (!is_nonempty_) treat(site, low + 1);
   }
 
-  /// Of convex parts only those that are joined to a foot count. The others are halved; tells whether there were any.
-  bool split_loose_convex()
+  /// Of convex parts only those that are joined to a foot count, of quartic and bent ones those that make up a whole. The others are
+  /// halved; tells whether there were any.
+  bool split_loose()
   {
     note_joined();
+    note_quartic();
+    note_bent();
     std::vector<Contact_leaf> loose;
     auto& leaves = left_.leaves;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-      if (leaves[i].state == State::convex && !joined_[i]) loose.push_back(leaves[i]);
+      const State s = leaves[i].state;
+      if ((s == State::convex || s == State::quartic || s == State::bent) && !joined_[i]) loose.push_back(leaves[i]);
       else leaves[kept++] = leaves[i];
     }
     leaves.resize(kept);
@@ -207,8 +231,38 @@ private:
       halve_or_leave(l.site, l.node);
       if (is_nonempty_) return true;
     }
-    if (loose.empty()) return false;
-    return std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == State::convex; });
+    return !loose.empty();
+  }
+
+  /// Quartic parts side by side that hold both feet.
+  void note_quartic()
+  {
+    const auto& leaves = left_.leaves;
+    std::vector<std::size_t> parts;
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+      if (leaves[i].state == State::quartic) parts.push_back(i);
+    if (parts.empty()) return;
+    const auto node = [&](std::size_t i) -> const Node& { return sites_[leaves[i].site].tree.node(leaves[i].node); };
+    std::sort(parts.begin(), parts.end(), [&](std::size_t i, std::size_t k) { return node(i).lo < node(k).lo; }); // of one site
+    bool is_whole = true;
+    for (std::size_t k = 0; k + 1 < parts.size(); ++k) is_whole = is_whole && node(parts[k]).hi == node(parts[k + 1]).lo;
+    for (const Contact_foot& f : *feet_) is_whole = is_whole && node(parts.front()).lo <= f.at.inf() && f.at.sup() <= node(parts.back()).hi;
+    for (const std::size_t i : parts) joined_[i] = is_whole;
+  }
+
+  /// Two bent parts at both sides of a smooth joint, with the power positive at their other ends.
+  void note_bent()
+  {
+    const auto& leaves = left_.leaves;
+    const auto is_positive_at = [&](const Contact_leaf& l, bool high) {
+      power_.make(*circle_, sites_[l.site].tree.node(l.node).power, 0);
+      return (high ? power_.last() : power_.first()) == Sign::positive;
+    };
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+      for (std::size_t k = 0; k < leaves.size(); ++k)
+        if (leaves[i].state == State::bent && leaves[k].state == State::bent && leaves[i].site != leaves[k].site && goes_on(leaves[i], leaves[k]) &&
+            is_positive_at(leaves[i], false) && is_positive_at(leaves[k], true))
+          joined_[i] = joined_[k] = 1;
   }
 
   /// Which convex parts hold a foot, or continue such a part without a corner between: 1 for the first foot, 2 for the second one.

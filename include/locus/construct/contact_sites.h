@@ -40,7 +40,7 @@ public:
     first_.push_back(first);
     for (std::size_t i = 0; i < n; ++i) {
       const Planar_curve& c = *pieces.curves[i];
-      sites_.push_back({first_.size() - 1, i, Contact_tree(enclosed_contact_forms(c)), pieces.evaluator(i), pieces.ranges[i], {none, none}, {none, none}, rests_of(c)});
+      sites_.push_back({first_.size() - 1, i, Contact_tree(pieces.curves[i]), pieces.evaluator(i), pieces.ranges[i], {none, none}, {none, none}, rests_of(c)});
     }
     for (std::size_t i = 0; i < n; ++i)
       for (int end = 0; end < 2; ++end) {

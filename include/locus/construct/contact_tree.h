@@ -3,7 +3,9 @@
 #define LOCUS_CONSTRUCT_CONTACT_TREE_H
 
 #include <locus/constraint/contact_forms.h>
+#include <locus/constraint/curvature_forms.h>
 #include <locus/function/enclosed_vector.h>
+#include <locus/function/lazy.h>
 
 #include <deque>
 
@@ -105,7 +107,28 @@ public:
   };
 
   /// Upward rounding needed.
-  explicit Contact_tree(const Contact_forms<Interval>& forms) { nodes_.push_back({0, 1, enclosed(forms.power), enclosed(forms.turn), 0}); }
+  explicit Contact_tree(const std::shared_ptr<const Planar_curve>& curve) : critical_(Lazy<Critical>::from([curve] { return Critical(*curve); }))
+  {
+    const Contact_forms<Interval> forms = enclosed_contact_forms(*curve);
+    nodes_.push_back({0, 1, enclosed(forms.power), enclosed(forms.turn), 0});
+  }
+
+  /// Whether the curvature is strictly monotone inside a node, as far as doubles tell.
+  bool has_monotone_curvature(std::size_t i) const
+  {
+    const Critical& critical = critical_.get();
+    const Node& n = nodes_[i];
+    const auto part = restrict_to(critical.form, 0, Interval(n.lo), Interval(n.hi));
+    Sign all = Sign::zero;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      const bool is_known_zero = (k == 0 && n.lo == 0 && critical.vanishes[0]) || (k + 1 == part.size() && n.hi == 1 && critical.vanishes[1]);
+      if (is_known_zero) continue;
+      const Sign s = sign_of(part[k]);
+      if (!is_strict(s) || (all != Sign::zero && s != all)) return false;
+      all = s;
+    }
+    return is_strict(all);
+  }
 
   const Node& node(std::size_t i) const { return nodes_[i]; }
 
@@ -121,6 +144,20 @@ public:
   }
 
 private:
+  /// The derivative of the curvature, up to positive factors, and whether it vanishes at the ends.
+  struct Critical {
+    Bernstein<Interval, 1> form;
+    std::array<bool, 2> vanishes{};
+
+    Critical() = default;
+    explicit Critical(const Planar_curve& curve)
+    {
+      const Bernstein<Rational, 1> exact = Curvature_forms<2>(curve.piece()).critical;
+      form = converted<Interval>(exact, [](const Rational& c) { return enclosing(c); });
+      vanishes = {exact[0] == 0, exact[exact.size() - 1] == 0};
+    }
+  };
+
   static Enclosed_vector enclosed(const std::vector<Bernstein<Interval, 1>>& f)
   {
     std::vector<Interval> c;
@@ -129,6 +166,7 @@ private:
   }
 
   std::deque<Node> nodes_;
+  Lazy<Critical> critical_;
 };
 
 } // namespace detail
