@@ -1427,12 +1427,12 @@ TEST_CASE("medial axes of simple shapes", "[by_hand]")
 {
   run_shape("rectangle", named_polyline({at(0, 0), at(3, 0), at(3, 1), at(0, 1)}, true), {5, 0});
   run_shape("triangle", named_polyline({at(0, 0), at(3, 0), at(1, 2)}, true), {3, 0});
+  run_shape("ellipse", {ellipse_2({0, 0}, 2, 1), "ellipse_2({0, 0}, 2, 1)"}, {1, 0});
 }
 
-// Hidden: where a part ends in one point with several events, or where the curvature is greatest, nothing is decided yet.
-TEST_CASE("medial axes that are not decided yet", "[.][by_hand]")
+// Hidden: where several changes coincide in one point nothing is decided yet.
+TEST_CASE("a medial axis that is not decided yet", "[.][by_hand]")
 {
   // Inside 5 arcs to convex corners, 2 between edges, 2 parabolas about the reflex corner; outside 3 from that corner to infinity.
   run_shape("L", named_polyline({at(0, 0), at(3, 0), at(3, 1), at(1, 1), at(1, 4), at(0, 4)}, true), {12, 1});
-  run_shape("ellipse", {ellipse_2({0, 0}, 2, 1), "ellipse_2({0, 0}, 2, 1)"}, {1, 0});
 }
