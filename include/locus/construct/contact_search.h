@@ -248,6 +248,12 @@ private:
     for (std::size_t k = 0; k + 1 < parts.size(); ++k) is_whole = is_whole && node(parts[k]).hi == node(parts[k + 1]).lo;
     for (const Contact_foot& f : *feet_) is_whole = is_whole && node(parts.front()).lo <= f.at.inf() && f.at.sup() <= node(parts.back()).hi;
     for (const std::size_t i : parts) joined_[i] = is_whole;
+    // The power's derivative has three zeros there, at the feet and between: beyond, it grows. That is the turn where the weight is constant.
+    if (!is_whole || !sites_[leaves[parts[0]].site].is_polynomial) return;
+    std::vector<std::size_t> seeds;
+    for (std::size_t k = 0; k < leaves.size(); ++k)
+      if (leaves[k].state == State::convex && !joined_[k] && (goes_on(leaves[k], leaves[parts.front()]) || goes_on(leaves[parts.back()], leaves[k]))) seeds.push_back(k);
+    join_from(seeds, 3);
   }
 
   /// Two bent parts at both sides of a smooth joint, with the power positive at their other ends.
@@ -270,24 +276,33 @@ private:
   {
     const auto& leaves = left_.leaves;
     joined_.assign(leaves.size(), 0);
-    std::vector<std::size_t> todo;
     char foot = 0;
-    const auto join = [&](std::size_t i) {
-      if (leaves[i].state != State::convex || joined_[i] == foot) return;
-      is_nonempty_ = is_nonempty_ || joined_[i] != 0;
-      joined_[i] = foot;
-      todo.push_back(i);
-    };
     for (const Contact_foot& f : *feet_) {
       ++foot;
+      std::vector<std::size_t> seeds;
       for (std::size_t i = 0; i < leaves.size(); ++i)
-        if (f.site == leaves[i].site && reaches(sites_[f.site].tree.node(leaves[i].node), f.at)) join(i);
-      while (!todo.empty()) {
-        const std::size_t i = todo.back();
-        todo.pop_back();
-        for (std::size_t k = 0; k < leaves.size(); ++k)
-          if (are_neighbours(leaves[i], leaves[k])) join(k);
-      }
+        if (f.site == leaves[i].site && reaches(sites_[f.site].tree.node(leaves[i].node), f.at)) seeds.push_back(i);
+      join_from(seeds, foot);
+    }
+  }
+
+  /// All convex parts that are reached from some.
+  void join_from(const std::vector<std::size_t>& seeds, char mark)
+  {
+    const auto& leaves = left_.leaves;
+    std::vector<std::size_t> todo;
+    const auto join = [&](std::size_t i) {
+      if (leaves[i].state != State::convex || joined_[i] == mark) return;
+      is_nonempty_ = is_nonempty_ || joined_[i] != 0;
+      joined_[i] = mark;
+      todo.push_back(i);
+    };
+    for (const std::size_t i : seeds) join(i);
+    while (!todo.empty()) {
+      const std::size_t i = todo.back();
+      todo.pop_back();
+      for (std::size_t k = 0; k < leaves.size(); ++k)
+        if (are_neighbours(leaves[i], leaves[k])) join(k);
     }
   }
 

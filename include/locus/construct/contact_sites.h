@@ -19,6 +19,7 @@ struct Contact_site {
   /// Coefficients of the turn's derivative that vanish at the ends whatever the circle: of a straight polynomial piece that stands
   /// still there.
   std::array<std::size_t, 2> rests{};
+  bool is_polynomial = true; ///< of constant weight
 };
 
 /// An end or a corner of an input.
@@ -40,7 +41,7 @@ public:
     first_.push_back(first);
     for (std::size_t i = 0; i < n; ++i) {
       const Planar_curve& c = *pieces.curves[i];
-      sites_.push_back({first_.size() - 1, i, Contact_tree(pieces.curves[i]), pieces.evaluator(i), pieces.ranges[i], {none, none}, {none, none}, rests_of(c)});
+      sites_.push_back({first_.size() - 1, i, Contact_tree(pieces.curves[i]), pieces.evaluator(i), pieces.ranges[i], {none, none}, {none, none}, rests_of(c), c.weight().degree() == 0});
     }
     for (std::size_t i = 0; i < n; ++i)
       for (int end = 0; end < 2; ++end) {
