@@ -3,6 +3,7 @@
 #define LOCUS_CONSTRAINT_CONTACT_FORMS_H
 
 #include <locus/constraint/planar_curve.h>
+#include <locus/function/enclosed_vector.h>
 
 namespace locus {
 
@@ -20,19 +21,8 @@ struct Contact_forms {
 
   Contact_forms(const std::array<Form, 2>& p, const Form& w, const std::array<Form, 2>& t)
   {
-    const Form two(Degrees<1>{0}, {T(2)});
-    power = {add(multiply(p[0], p[0]), multiply(p[1], p[1])), multiply(w, p[0]), multiply(w, p[1]), multiply(w, w)};
-    turn = {multiply(two, add(multiply(p[0], t[0]), multiply(p[1], t[1]))), multiply(w, t[0]), multiply(w, t[1])};
-    for (auto* forms : {&power, &turn}) at_one_degree(*forms);
-  }
-
-private:
-  static void at_one_degree(std::vector<Form>& forms)
-  {
-    int n = 0;
-    for (const Form& f : forms) n = std::max(n, f.degree());
-    for (Form& f : forms)
-      if (f.degree() < n) f = elevate(f, 0, n - f.degree());
+    power = of_one_degree(std::vector<Form>{add(multiply(p[0], p[0]), multiply(p[1], p[1])), multiply(w, p[0]), multiply(w, p[1]), multiply(w, w)});
+    turn = of_one_degree(std::vector<Form>{multiply(add(multiply(p[0], t[0]), multiply(p[1], t[1])), T(2)), multiply(w, t[0]), multiply(w, t[1])});
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <locus/constraint/point_curve.h>
 #include <locus/function/diagonal.h>
+#include <locus/function/enclosed_vector.h>
 
 namespace locus {
 
@@ -36,7 +37,7 @@ public:
 
   Form square() const { return add(multiply(along_[0], along_[0]), multiply(along_[1], along_[1])); }
 
-  Forms lift() const { return at_one_degree({multiply(weight_, weight_), multiply(weight_, numerator_[0]), multiply(weight_, numerator_[1]), norm()}); }
+  Forms lift() const { return of_one_degree(Forms{multiply(weight_, weight_), multiply(weight_, numerator_[0]), multiply(weight_, numerator_[1]), norm()}); }
 
   /// What stands before lift(v): |t|·first + second.
   struct Pair {
@@ -58,7 +59,7 @@ public:
   {
     const auto chord = [&](std::size_t k) { // e / (u-v)
       return detail::quotient_by_diagonal(
-        detail::product_form(at_one_degree({weight_, multiply(numerator_[k], T(-1))}), at_one_degree({numerator_[k], weight_})));
+        detail::product_form(of_one_degree(Forms{weight_, multiply(numerator_[k], T(-1))}), of_one_degree(Forms{numerator_[k], weight_})));
     };
     const Bernstein<T, 2> x = chord(0), y = chord(1);
     const auto of_u = [](const Form& f) { return Bernstein<T, 2>(Degrees<2>{f.degree(), 0}, f.coefficients()); };
@@ -77,18 +78,9 @@ private:
 
   Form norm() const { return add(multiply(numerator_[0], numerator_[0]), multiply(numerator_[1], numerator_[1])); }
 
-  static Forms at_one_degree(Forms f)
-  {
-    int n = 0;
-    for (const Form& x : f) n = std::max(n, x.degree());
-    for (Form& x : f)
-      if (x.degree() < n) x = elevate(x, 0, n - x.degree());
-    return f;
-  }
-
   static Pair split(Forms f)
   {
-    f = at_one_degree(std::move(f));
+    f = of_one_degree(std::move(f));
     const auto middle = f.begin() + static_cast<std::ptrdiff_t>(f.size() / 2);
     return {Forms(f.begin(), middle), Forms(middle, f.end())};
   }

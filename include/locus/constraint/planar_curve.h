@@ -2,6 +2,7 @@
 #ifndef LOCUS_CONSTRAINT_PLANAR_CURVE_H
 #define LOCUS_CONSTRAINT_PLANAR_CURVE_H
 
+#include <locus/function/bounded_bernstein.h>
 #include <locus/function/complex_polynomial.h>
 #include <locus/shape/carrier.h>
 #include <locus/shape/framed.h>
@@ -150,18 +151,13 @@ private:
     c.point = {part(numerator_enclosure_[0]), part(numerator_enclosure_[1])};
     c.tangent = {part(tangent_enclosure_[0]), part(tangent_enclosure_[1])};
     if (is_circle()) {
-      c.centre_to_point = shifted(c.point, c.weight, locus::enclosing(carrier_.centre[0]), locus::enclosing(carrier_.centre[1]));
-      c.squared_radius = locus::enclosing(carrier_.squared_radius);
+      c.centre_to_point = shifted(c.point, c.weight, enclosing(carrier_.centre[0]), enclosing(carrier_.centre[1]));
+      c.squared_radius = enclosing(carrier_.squared_radius);
       c.is_circle = true;
-      for (std::size_t v = 0; v < 2; ++v) c.centre[v] = locus::enclosing(carrier_.centre[v]) - Interval(origin[v]);
+      for (std::size_t v = 0; v < 2; ++v) c.centre[v] = enclosing(carrier_.centre[v]) - Interval(origin[v]);
     }
     if (origin[0] != 0 || origin[1] != 0) c.point = shifted(c.point, c.weight, Interval(origin[0]), Interval(origin[1]));
     return c;
-  }
-
-  static Bernstein<Interval, 1> enclosing(const Bernstein<Rational, 1>& f)
-  {
-    return converted<Interval>(f, [](const Rational& c) { return locus::enclosing(c); });
   }
 
   /// p - (x + iy)·w

@@ -2,6 +2,7 @@
 #ifndef LOCUS_CONSTRAINT_POINT_CURVE_H
 #define LOCUS_CONSTRAINT_POINT_CURVE_H
 
+#include <locus/function/enclosed_vector.h>
 #include <locus/function/wronskian.h>
 #include <locus/shape/rational_curve.h>
 #include <locus/shape/velocity.h>
@@ -101,12 +102,6 @@ private:
 /// outside where it has the sign of the tangent's last component.
 inline Bernstein<Rational, 2> paired(const Polynomial_vector<1, 3>& a, const Polynomial_vector<1, 3>& b)
 {
-  const auto of_one_degree = [](const Polynomial_vector<1, 3>& f) {
-    const int n = std::max({f[0].degree(), f[1].degree(), f[2].degree()});
-    std::vector<Bernstein<Rational, 1>> same;
-    for (const auto& x : f) same.push_back(elevate(x, 0, n - x.degree()));
-    return same;
-  };
   return detail::product_form(of_one_degree(a), of_one_degree(b));
 }
 

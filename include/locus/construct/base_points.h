@@ -63,7 +63,7 @@ private:
   {
     return vector_of<4>([&](std::size_t k) {
       const Bernstein<Rational, 2>& f = k < 3 ? normal[k] : side;
-      return Enclosed_surface(bounded(converted<Interval>(f, [](const Rational& c) { return enclosing(c); })));
+      return Enclosed_surface(bounded(enclosing(f)));
     });
   }
 

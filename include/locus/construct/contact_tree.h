@@ -110,7 +110,7 @@ public:
   explicit Contact_tree(const std::shared_ptr<const Planar_curve>& curve) : critical_(Lazy<Critical>::from([curve] { return Critical(*curve); }))
   {
     const Contact_forms<Interval> forms = enclosed_contact_forms(*curve);
-    nodes_.push_back({0, 1, enclosed(forms.power), enclosed(forms.turn), 0});
+    nodes_.push_back({0, 1, Enclosed_vector(forms.power), Enclosed_vector(forms.turn), 0});
   }
 
   /// Whether the curvature is strictly monotone inside a node, as far as doubles tell.
@@ -153,17 +153,10 @@ private:
     explicit Critical(const Planar_curve& curve)
     {
       const Bernstein<Rational, 1> exact = Curvature_forms<2>(curve.piece()).critical;
-      form = converted<Interval>(exact, [](const Rational& c) { return enclosing(c); });
+      form = enclosing(exact);
       vanishes = {exact[0] == 0, exact[exact.size() - 1] == 0};
     }
   };
-
-  static Enclosed_vector enclosed(const std::vector<Bernstein<Interval, 1>>& f)
-  {
-    std::vector<Interval> c;
-    for (const auto& x : f) c.insert(c.end(), x.coefficients().begin(), x.coefficients().end());
-    return Enclosed_vector(f.size(), f[0].degree(), c);
-  }
 
   std::deque<Node> nodes_;
   Lazy<Critical> critical_;

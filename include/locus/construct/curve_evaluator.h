@@ -15,7 +15,7 @@ public:
   Enclosed_function() = default;
 
   explicit Enclosed_function(const Bernstein<Rational, 1>& f)
-    : Enclosed_function(converted<Interval>(f, [](const Rational& c) { return enclosing(c); }))
+    : Enclosed_function(enclosing(f))
   {
   }
 

@@ -529,7 +529,7 @@ public:
       for (const auto& f : lift.exact) degree = std::max(degree, f.degree());
       for (std::size_t k = 0; k < 3; ++k) {
         lift.exact[k] = elevate(lift.exact[k], 0, degree - lift.exact[k].degree());
-        lift.enclosed[k] = converted<Interval>(lift.exact[k], [](const Rational& c) { return enclosing(c); });
+        lift.enclosed[k] = enclosing(lift.exact[k]);
       }
       lifts_.push_back(std::move(lift));
     }

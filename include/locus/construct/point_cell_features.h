@@ -78,15 +78,6 @@ std::vector<Bernstein<T, 1>> without_end_zeros(std::vector<Bernstein<T, 1>> f, c
   return f;
 }
 
-template <class T>
-std::vector<Bernstein<T, 1>> of_one_degree(const Lift<T>& f)
-{
-  const int n = std::max({f[0].degree(), f[1].degree(), f[2].degree()});
-  std::vector<Bernstein<T, 1>> same;
-  for (const auto& x : f) same.push_back(x.degree() == n ? x : elevate(x, 0, n - x.degree()));
-  return same;
-}
-
 /// How often all components vanish at an end, by exact forms.
 inline int zeros_at_end(const Vector_form& f, int end)
 {
@@ -99,21 +90,9 @@ inline int zeros_at_end(const Vector_form& f, int end)
   return times;
 }
 
-inline Bernstein<Interval, 1> enclosed(const Bernstein<Rational, 1>& f)
-{
-  return converted<Interval>(f, [](const Rational& c) { return enclosing(c); });
-}
-
 inline bool may_vanish_at_end(const std::vector<Bernstein<Interval, 1>>& f, int end)
 {
   return std::all_of(f.begin(), f.end(), [&](const auto& x) { return contains_zero(x[end == 0 ? 0 : x.size() - 1]); });
-}
-
-inline Enclosed_vector enclosed_vector(const std::vector<Bernstein<Interval, 1>>& f)
-{
-  std::vector<Interval> c;
-  for (const auto& x : f) c.insert(c.end(), x.coefficients().begin(), x.coefficients().end());
-  return Enclosed_vector(f.size(), f[0].degree(), c);
 }
 
 /// The forms of one piece over a coefficient type: all by the same steps, so that the enclosures have the exact forms' degrees.
@@ -150,7 +129,7 @@ struct Enclosed_piece {
   Bernstein<Interval, 1> weight;
 };
 
-inline Enclosed_piece enclosed_piece(const Seen_piece& piece) { return {{enclosed(piece.offset[0]), enclosed(piece.offset[1])}, enclosed(piece.weight)}; }
+inline Enclosed_piece enclosed_piece(const Seen_piece& piece) { return {{enclosing(piece.offset[0]), enclosing(piece.offset[1])}, enclosing(piece.weight)}; }
 
 /// ℓ and ℓ' at a place, from values of ρ, W and their derivatives there. Upward rounding needed.
 inline std::array<std::array<Interval, 3>, 2> fresh_lift(const Enclosed_piece& piece, double u)
@@ -324,7 +303,7 @@ private:
   {
     if (sign < 0)
       for (auto& x : f) x = multiply(x, Interval(-1));
-    return std::make_shared<Vector_tree>(enclosed_vector(f), std::move(make_exact));
+    return std::make_shared<Vector_tree>(Enclosed_vector(f), std::move(make_exact));
   }
 
   /// From the curve's own end where the point is not there.
@@ -341,7 +320,7 @@ private:
 
   void make_lift(Seen_piece& piece) const
   {
-    Piece_forms<Interval> forms({enclosed(piece.offset[0]), enclosed(piece.offset[1])}, enclosed(piece.weight));
+    Piece_forms<Interval> forms({enclosing(piece.offset[0]), enclosing(piece.offset[1])}, enclosing(piece.weight));
     forms.make_lift();
     const Seen_piece exact = piece;
     piece.lift_zeros = end_zeros(forms.lift, [&] { return exact_lift(exact); });

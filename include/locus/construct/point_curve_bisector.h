@@ -411,7 +411,7 @@ private:
     const double rough = work_->at(s, enclosure(end)).error();
     if (rough <= 1e-7 * work_->scale) return rough;
     const Curve_piece<2>& forms = work_->pieces[s].forms.get();
-    const auto part = [&](const Bernstein<Rational, 1>& f) { return enclosed(restrict_to(f, 0, Rational(end.lo), Rational(end.hi))); };
+    const auto part = [&](const Bernstein<Rational, 1>& f) { return enclosing(restrict_to(f, 0, Rational(end.lo), Rational(end.hi))); };
     const auto weight = part(forms.weight);
     Interval square(0);
     for (std::size_t k = 0; k < 2; ++k) {

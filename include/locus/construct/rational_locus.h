@@ -92,10 +92,9 @@ private:
     w.image.emplace(image.numerator, image.weight);
     w.foot.emplace(foot.numerator, foot.weight);
     w.range = Parameter_range(chain_.pieces[source]);
-    const auto enclose = [](const Bernstein<Rational, 1>& f) { return converted<Interval>(f, [](const Rational& c) { return enclosing(c); }); };
-    w.weight = enclose(image.weight);
+    w.weight = enclosing(image.weight);
     for (std::size_t k = 0; k < size; ++k)
-      w.numerator[k] = enclose(subtract(image.numerator[k], multiply(image.weight, Rational(work_->centre[k]))));
+      w.numerator[k] = enclosing(subtract(image.numerator[k], multiply(image.weight, Rational(work_->centre[k]))));
     work_->pieces.push_back(std::move(w));
   }
 

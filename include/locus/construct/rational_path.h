@@ -305,9 +305,7 @@ private:
   {
     const Curve_piece<Dim>& forms = work_->pieces[piece].forms.get();
     const Rational lo(part.lo), hi(part.hi);
-    const auto on_part = [&](const Bernstein<Rational, 1>& f) {
-      return converted<Interval>(restrict_to(f, 0, lo, hi), [](const Rational& c) { return enclosing(c); });
-    };
+    const auto on_part = [&](const Bernstein<Rational, 1>& f) { return enclosing(restrict_to(f, 0, lo, hi)); };
     Part fresh{part.lo, part.hi, {}, on_part(forms.weight), part.hi - part.lo, true};
     for (std::size_t k = 0; k < size; ++k)
       fresh.numerator[k] = on_part(subtract(forms.numerator[k], multiply(forms.weight, Rational(work_->centre[k]))));

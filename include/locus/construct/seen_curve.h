@@ -210,7 +210,7 @@ private:
     std::array<Bernstein<Interval, 1>, 2> enclosures;
     for (std::size_t k = 0; k < 2; ++k) {
       if (place[k] != 0) from[k] = subtract(from[k], multiply(seen.weight, place[k]));
-      enclosures[k] = enclosed(from[k]);
+      enclosures[k] = enclosing(from[k]);
     }
     const auto square = add(multiply(enclosures[0], enclosures[0]), multiply(enclosures[1], enclosures[1]));
     if (std::all_of(square.coefficients().begin(), square.coefficients().end(), [](const Interval& c) { return c.inf() > 0; })) return {};
@@ -240,7 +240,7 @@ private:
   {
     Bernstein<Interval, 1> square(Degrees<1>{0});
     for (const auto& x : piece.numerator) {
-      const auto d = velocity_numerator(enclosed(x), enclosed(piece.weight));
+      const auto d = velocity_numerator(enclosing(x), enclosing(piece.weight));
       square = add(square, multiply(d, d));
     }
     if (std::all_of(square.coefficients().begin(), square.coefficients().end(), [](const Interval& c) { return c.inf() > 0; })) return {};

@@ -68,8 +68,8 @@ public:
       return Forms<Rational>(curve->numerator, curve->weight, without_common(exact_velocity(*curve, zeros), common));
     });
     const Forms<Rational>* const known = common ? &exact_.get() : nullptr;
-    auto along = known ? std::array{enclosed(known->along()[0]), enclosed(known->along()[1])} : enclosed_velocity(zeros);
-    enclosed_.emplace(std::array{enclosed(curve_->numerator[0]), enclosed(curve_->numerator[1])}, enclosed(curve_->weight), std::move(along));
+    auto along = known ? std::array{enclosing(known->along()[0]), enclosing(known->along()[1])} : enclosed_velocity(zeros);
+    enclosed_.emplace(std::array{enclosing(curve_->numerator[0]), enclosing(curve_->numerator[1])}, enclosing(curve_->weight), std::move(along));
     lift_ = tree(enclosed_->lift(), [f = exact_] { return f.get().lift(); });
     square_ = tree({enclosed_->square()}, [f = exact_] { return Vector_form{f.get().square()}; });
     for (std::size_t k = 0; k < 2; ++k) {
@@ -107,7 +107,7 @@ public:
   template <class Make_exact>
   static std::shared_ptr<Vector_tree> tree(const std::vector<Bernstein<Interval, 1>>& f, Make_exact make_exact)
   {
-    return std::make_shared<Vector_tree>(enclosed_vector(f), std::move(make_exact));
+    return std::make_shared<Vector_tree>(Enclosed_vector(f), std::move(make_exact));
   }
 
   // --------------------------------------------------------------------------------------------------- evaluation
@@ -147,8 +147,8 @@ private:
 
   std::vector<Bernstein<Interval, 1>> raw_velocity() const
   {
-    const Bernstein<Interval, 1> w = enclosed(curve_->weight);
-    return {velocity_numerator(enclosed(curve_->numerator[0]), w), velocity_numerator(enclosed(curve_->numerator[1]), w)};
+    const Bernstein<Interval, 1> w = enclosing(curve_->weight);
+    return {velocity_numerator(enclosing(curve_->numerator[0]), w), velocity_numerator(enclosing(curve_->numerator[1]), w)};
   }
   std::array<Bernstein<Interval, 1>, 2> enclosed_velocity(const std::array<int, 2>& zeros) const
   {

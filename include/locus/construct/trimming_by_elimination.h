@@ -34,7 +34,7 @@ public:
       all.clear();
       for (const Parent_piece& p : parent) all.push_back(p.forms);
     }
-    for (const Curve_piece<2>& p : all) obstacles_.push_back(one_degree(Point_curve_forms(p, point).lift()));
+    for (const Curve_piece<2>& p : all) obstacles_.push_back(of_one_degree(Point_curve_forms(p, point).lift()));
     if (!options.beyond_ends) note_ends(curve);
     for (std::size_t i = 0; i < curve.pieces().size(); ++i) trim(i, curve.pieces()[i], point);
   }
@@ -43,8 +43,6 @@ public:
 
 private:
   using Form = Bernstein<Rational, 1>;
-
-  static Vector_form one_degree(const Polynomial_vector<1, 3>& f) { return of_one_degree(Vector_form{f[0], f[1], f[2]}); }
 
   /// The lifts of the curve's own ends, where circles can come to touch it without a common tangent.
   void note_ends(const Curve_2& curve)
@@ -92,7 +90,7 @@ private:
     const Point_curve_forms forms(piece, point);
     const Form class_form = forms.class_form(), circular_form = forms.circular_form();
     if (is_zero(class_form) || is_zero(circular_form)) return; // no arc: all in one centre, or at infinity
-    const Vector_form tangent = one_degree(forms.tangent());
+    const Vector_form tangent = of_one_degree(forms.tangent());
     const auto exactly = [](int x) { return Isolated_root<Rational>{Rational(x), Rational(x), 1, nullptr}; };
     const Integer_polynomial dividing = dividing_polynomial(piece, point, forms);
     std::vector<Isolated_root<Rational>> cuts{exactly(0)};

@@ -74,6 +74,13 @@ Bernstein<Interval, D> enclosing(const Bernstein<Bounded, D>& f)
   return converted<Interval>(f.values(), [&](double c) { return Interval(c) + radius; });
 }
 
+/// Of an exact form, coefficient by coefficient.
+template <int D>
+Bernstein<Interval, D> enclosing(const Bernstein<Rational, D>& f)
+{
+  return converted<Interval>(f, [](const Rational& c) { return enclosing(c); });
+}
+
 template <int D>
 Bernstein<Bounded, D> add(const Bernstein<Bounded, D>& f, const Bernstein<Bounded, D>& g)
 {

@@ -4,6 +4,7 @@
 
 #include <locus/function/bounded_bernstein.h>
 
+#include <array>
 #include <vector>
 
 namespace locus {
@@ -12,13 +13,19 @@ namespace locus {
 using Vector_form = std::vector<Bernstein<Rational, 1>>;
 
 /// The same degree for all components.
-inline Vector_form of_one_degree(Vector_form f)
+template <class T>
+std::vector<Bernstein<T, 1>> of_one_degree(std::vector<Bernstein<T, 1>> f)
 {
   int n = 0;
   for (const auto& x : f) n = std::max(n, x.degree());
   for (auto& x : f)
     if (x.degree() < n) x = elevate(x, 0, n - x.degree());
   return f;
+}
+template <class T>
+std::vector<Bernstein<T, 1>> of_one_degree(const std::array<Bernstein<T, 1>, 3>& f)
+{
+  return of_one_degree(std::vector<Bernstein<T, 1>>(f.begin(), f.end()));
 }
 
 /// A vector of Bernstein polynomials in doubles with one error bound for all coefficients: component r's coefficients are
@@ -28,27 +35,17 @@ public:
   Enclosed_vector() = default;
 
   /// Upward rounding needed.
-  explicit Enclosed_vector(const Vector_form& f) : rank_(f.size()), degree_(f.empty() ? 0 : f[0].degree())
+  explicit Enclosed_vector(const Vector_form& f) : Enclosed_vector(enclosures(f)) {}
+
+  explicit Enclosed_vector(const std::vector<Bernstein<Interval, 1>>& f) : rank_(f.size()), degree_(f.empty() ? 0 : f[0].degree())
   {
     c_.reserve(rank_ * count());
     for (const auto& x : f)
-      for (const Rational& q : x.coefficients()) {
-        const Bounded b = bounded(enclosing(q));
+      for (const Interval& c : x.coefficients()) {
+        const Bounded b = bounded(c);
         c_.push_back(b.value);
         error_ = std::max(error_, b.error);
       }
-    measure();
-  }
-
-  /// From enclosures, component after component.
-  Enclosed_vector(std::size_t rank, int degree, const std::vector<Interval>& coefficients) : rank_(rank), degree_(degree)
-  {
-    c_.reserve(coefficients.size());
-    for (const Interval& x : coefficients) {
-      const Bounded b = bounded(x);
-      c_.push_back(b.value);
-      error_ = std::max(error_, b.error);
-    }
     measure();
   }
 
@@ -120,6 +117,13 @@ public:
   }
 
 private:
+  static std::vector<Bernstein<Interval, 1>> enclosures(const Vector_form& f)
+  {
+    std::vector<Bernstein<Interval, 1>> all;
+    for (const auto& x : f) all.push_back(enclosing(x));
+    return all;
+  }
+
   void measure()
   {
     norm_ = 0;

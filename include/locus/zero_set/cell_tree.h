@@ -132,7 +132,7 @@ public:
   {
     if (cells_[i].exact) {
       const Bernstein<Rational, 2> f = cells_[i].exact->rational();
-      return bounded(converted<Interval>(f, [](const Rational& c) { return enclosing(c); }));
+      return bounded(enclosing(f));
     }
     return cells_[i].refreshed ? bounded_form(i) : bounded(equation_.enclosure(cells_[i].box));
   }

@@ -127,7 +127,7 @@ private:
   {
     auto f = form_.equation->exact();
     for (int v = 0; v < 2; ++v) f = restrict_to(f, v, Rational(box.lo[static_cast<std::size_t>(v)]), Rational(box.hi[static_cast<std::size_t>(v)]));
-    return bounded(converted<Interval>(f.rational(), [](const Rational& c) { return enclosing(c); }));
+    return bounded(enclosing(f.rational()));
   }
 
   /// Greatest slope of the pivot by the base variable over the whole cell, from the coefficients' differences; a large
