@@ -589,6 +589,17 @@ bool has_cusp_or_crossing(const Dense_curve& curve)
   return false;
 }
 
+/// Whether the pieces at a joint cross beside it.
+bool crosses_at_joint(const Dense_piece& before, const Dense_piece& after)
+{
+  constexpr int n = 30;
+  const auto at = [](const Dense_piece& piece, int j, bool from_end) { return piece.at(from_end ? 1 - std::ldexp(1.0, -j) : std::ldexp(1.0, -j)); };
+  for (int i = 1; i < n; ++i)
+    for (int j = 1; j < n; ++j)
+      if (is_crossing(at(before, i, true), at(before, i + 1, true), at(after, j, false), at(after, j + 1, false))) return true;
+  return false;
+}
+
 /// Whether a closed curve crosses itself nowhere, keeps away from itself, and stands still nowhere.
 bool is_simple(const Dense_curve& curve)
 {
@@ -596,6 +607,8 @@ bool is_simple(const Dense_curve& curve)
   std::vector<double> along{0};
   for (const Dense_piece& piece : curve.pieces())
     for (int i = 0; i < 64; ++i) p.push_back(piece.at(i / 64.0));
+  for (std::size_t k = 0; k < curve.pieces().size(); ++k)
+    if (crosses_at_joint(curve.pieces()[k], curve.pieces()[(k + 1) % curve.pieces().size()])) return false;
   const std::size_t n = p.size();
   for (std::size_t i = 0; i < n; ++i) along.push_back(along.back() + distance(p[i], p[(i + 1) % n]));
   for (std::size_t i = 0; i < n; ++i) {
@@ -1135,8 +1148,11 @@ private:
       const Plane_point at = plane(*v.point);
       const std::size_t n = degree(i);
       const std::string what = std::string(name_of(v.kind)) + " vertex " + show(at) + " of degree " + std::to_string(n);
-      const auto feet = curve().feet(at, 1e-7 * scale_, 1e-3 * scale_);
-      if ((feet.size() >= 3 || n >= 3) && feet.size() != n) say("BRANCHES", what + " has " + std::to_string(feet.size()) + " feet");
+      // At a centre of curvature the distance is flat: what is found beside the foot is the foot.
+      const auto feet = curve().feet(at, 1e-7 * scale_, (n == 1 ? 3e-2 : 1e-3) * scale_);
+      const bool has_branches = feet.size() >= 3 || n >= 3;
+      // Feet close together may be one to the search: those of the vertex are checked on their own.
+      if (has_branches && feet.size() != n && (feet.size() > n || v.feet.size() != n)) say("BRANCHES", what + " has " + std::to_string(feet.size()) + " feet");
       if (n != 1 || v.radius <= 1e-6 * scale_) continue;
       double off = std::numeric_limits<double>::infinity();
       for (const auto& [piece, s] : sides(feet[0])) off = std::min(off, std::abs(std::abs(curve().pieces()[piece].curvature(s)) * v.radius - 1));

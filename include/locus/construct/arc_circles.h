@@ -105,7 +105,11 @@ private:
     const Bisector_map_2& map = p.patch->map;
     const std::array<Interval, 2> local = map.chart()(p.at);
     Arc_circles result{Circle(), {Contact_foot{site_[0], local[0]}, Contact_foot{site_[1], local[1]}}, is_near(p)};
-    result.circle = Circle(result.is_by_centre ? by_centre(map, local, p.point) : by_curvature(map, local));
+    if (!result.is_by_centre) {
+      result.circle = Circle(by_curvature(map, local));
+      result.is_by_centre = !std::isfinite(result.circle.greatest_error()); // as where both feet run into one place
+    }
+    if (result.is_by_centre) result.circle = Circle(by_centre(map, local, p.point));
     return result;
   }
 
@@ -122,7 +126,7 @@ private:
     here[1 - pivot] = {at[1 - pivot], Interval(1), Interval(0)};
     here[pivot] = {at[pivot], jet->first, jet->second};
     const Placed placed = steps_.place_on(stretch_, at);
-    const bool is_by_centre = is_near(placed);
+    const bool is_by_centre = is_near(placed) || all.is_by_centre;
     const Map_formula formula = placed.patch->map.choose({midpoint(at[0]), midpoint(at[1])});
     const auto c = coefficients(is_by_centre, here, formula), over = coefficients(is_by_centre, jets, formula);
     const Interval half(half_width);

@@ -148,8 +148,9 @@ private:
     if (!middle || !(hi.base - lo.base > least_width) || cells_ > control_.max_cells || control_.is_cancelled()) {
       return add_unknown(lo.base, hi.base, event_at(circles_->placed_over(lo, hi), over.feet, *list), side);
     }
-    treat(lo, *middle, *list, at_lo, at_middle);
-    treat(*middle, hi, *list, at_middle, at_hi);
+    const Contact_list rest = search_.widened(*list, over.feet);
+    treat(lo, *middle, rest, at_lo, at_middle);
+    treat(*middle, hi, rest, at_middle, at_hi);
   }
 
   Answer answer_somewhere(const Place& lo, const Place& hi, const Contact_list& list)

@@ -51,9 +51,10 @@ struct Contact_list {
 /// - its turn grows, and it holds a foot or continues such a part: the power is not negative then;
 /// - it holds both feet and the power's fourth derivative is positive: the power has no other zeros than the two double ones;
 /// - it holds one foot, the curvature is monotone along it and the power is positive at its ends: a circle meets such an arc at most
-///   three times (Kneser), so that a further zero would change the power's sign. Two such parts may meet at a smooth joint where
-///   the power is too small to tell: if it vanished there it would be negative at the far end of one of them, so that one circle of
-///   an arc's part tells for all.
+///   three times (Kneser), so that a further zero would change the power's sign. An end may also be one of a convex part that is
+///   joined to the other foot, where the power is not negative. Two such parts may meet at a smooth joint where the power is too
+///   small to tell: if it vanished there it would be negative at the far end of one of them, so that one circle of an arc's part
+///   tells for all.
 /// A negative power at a part's end, or a turn that falls at a foot, means that no circle is empty. Two feet in one chain of parts along
 /// which the turn grows contradict each other: such circles are only met beside joints that are taken as smooth and are not, where
 /// they would be a corner's.
@@ -92,6 +93,24 @@ public:
       if (s != Sign::positive && !ends_joined_part(v)) left_.vertices.push_back(v);
     }
     return std::move(left_);
+  }
+
+  /// The list with whole sites where open parts reach a foot: near the ends of arcs only parts much longer than the feet's distance
+  /// may be long enough to tell.
+  Contact_list widened(const Contact_list& list, const std::array<Contact_foot, 2>& feet) const
+  {
+    std::array<bool, 2> is_whole{};
+    for (const Contact_leaf& l : list.leaves)
+      for (std::size_t k = 0; k < 2; ++k)
+        is_whole[k] = is_whole[k] || (l.state == State::open && l.site == feet[k].site && reaches(sites_[l.site].tree.node(l.node), feet[k].at));
+    if (is_whole[1] && feet[0].site == feet[1].site) is_whole[1] = !is_whole[0];
+    Contact_list wide;
+    wide.vertices = list.vertices;
+    for (const Contact_leaf& l : list.leaves)
+      if (!(is_whole[0] && l.site == feet[0].site) && !(is_whole[1] && l.site == feet[1].site)) wide.leaves.push_back(l);
+    for (std::size_t k = 0; k < 2; ++k)
+      if (is_whole[k]) wide.leaves.push_back({feet[k].site, 0, State::open});
+    return wide;
   }
 
   /// Whether no open part reaches a foot: then the circles are locally empty at both.
@@ -136,7 +155,9 @@ private:
   static constexpr std::size_t most_leaves = 400;
 
   static bool reaches(const Node& n, const Interval& at) { return at.inf() <= n.hi && at.sup() >= n.lo; }
-  static bool holds(const Node& n, const Interval& at) { return n.lo <= at.inf() && at.sup() <= n.hi; }
+  static bool holds(const Node& n, const Interval& at) { return n.lo <= std::max(0.0, at.inf()) && std::min(1.0, at.sup()) <= n.hi; }
+  /// More than one end at which another part holds it.
+  static bool holds_some(const Node& n, const Interval& at) { return at.inf() == at.sup() ? reaches(n, at) : at.inf() < n.hi && at.sup() > n.lo; }
 
   Vector_2<Interval> point(const Contact_foot& f) const { return sites_[f.site].evaluator->point(f.at); }
 
@@ -185,7 +206,7 @@ private:
         return;
       }
     }
-    if (reached == 1 && feet_on(site) == 1 && (power_.first() == Sign::positive || power_.last() == Sign::positive) && sites_[site].tree.has_monotone_curvature(node)) {
+    if (held == 1 && feet_on(site) == 1 && (power_.first() == Sign::positive || power_.last() == Sign::positive) && sites_[site].tree.has_monotone_curvature(node)) {
       if (!(power_.first() == Sign::positive && power_.last() == Sign::positive)) left_.leaves.push_back({site, node, State::bent});
       return;
     }
@@ -256,19 +277,38 @@ private:
     join_from(seeds, 3);
   }
 
-  /// Two bent parts at both sides of a smooth joint, with the power positive at their other ends.
+  /// Two bent parts at both sides of a smooth joint, with the power positive at their other ends; and bent parts whose ends are
+  /// positive or belong to a convex part that is joined to the other foot: those are done with.
   void note_bent()
   {
-    const auto& leaves = left_.leaves;
+    auto& leaves = left_.leaves;
     const auto is_positive_at = [&](const Contact_leaf& l, bool high) {
       power_.make(*circle_, sites_[l.site].tree.node(l.node).power, 0);
       return (high ? power_.last() : power_.first()) == Sign::positive;
     };
-    for (std::size_t i = 0; i < leaves.size(); ++i)
-      for (std::size_t k = 0; k < leaves.size(); ++k)
-        if (leaves[i].state == State::bent && leaves[k].state == State::bent && leaves[i].site != leaves[k].site && goes_on(leaves[i], leaves[k]) &&
-            is_positive_at(leaves[i], false) && is_positive_at(leaves[k], true))
-          joined_[i] = joined_[k] = 1;
+    std::vector<std::size_t> done;
+    for (std::size_t i = 0; i < leaves.size(); ++i) {
+      if (leaves[i].state != State::bent) continue;
+      const char other = (*feet_)[0].site == leaves[i].site ? 2 : 1;
+      std::array<bool, 2> is_outside{};
+      for (const bool high : {false, true}) is_outside[high] = is_positive_at(leaves[i], high) || is_joined_beyond(i, high, other);
+      if (is_outside[0] && is_outside[1]) done.push_back(i);
+      for (std::size_t k = 0; k < leaves.size() && is_outside[0]; ++k)
+        if (leaves[k].state == State::bent && leaves[i].site != leaves[k].site && goes_on(leaves[i], leaves[k]) && is_positive_at(leaves[k], true)) joined_[i] = joined_[k] = 1;
+    }
+    for (std::size_t k = done.size(); k-- > 0;) {
+      leaves.erase(leaves.begin() + static_cast<std::ptrdiff_t>(done[k]));
+      joined_.erase(joined_.begin() + static_cast<std::ptrdiff_t>(done[k]));
+    }
+  }
+
+  /// Whether the part beyond an end of a leaf, on its own piece or across a smooth joint, is convex and joined to a foot.
+  bool is_joined_beyond(std::size_t i, bool high, char foot) const
+  {
+    const auto& leaves = left_.leaves;
+    for (std::size_t k = 0; k < leaves.size(); ++k)
+      if (leaves[k].state == State::convex && joined_[k] == foot && (high ? goes_on(leaves[i], leaves[k]) : goes_on(leaves[k], leaves[i]))) return true;
+    return false;
   }
 
   /// Which convex parts hold a foot, or continue such a part without a corner between: 1 for the first foot, 2 for the second one.
@@ -281,7 +321,7 @@ private:
       ++foot;
       std::vector<std::size_t> seeds;
       for (std::size_t i = 0; i < leaves.size(); ++i)
-        if (f.site == leaves[i].site && reaches(sites_[f.site].tree.node(leaves[i].node), f.at)) seeds.push_back(i);
+        if (f.site == leaves[i].site && holds_some(sites_[f.site].tree.node(leaves[i].node), f.at)) seeds.push_back(i);
       join_from(seeds, foot);
     }
   }
@@ -306,7 +346,7 @@ private:
     }
   }
 
-  /// Monotone parts that begin where a convex part ends, or go on from such a part, are outside. Whether there were any.
+  /// Monotone parts that begin where a convex or quartic part ends, or go on from such a part, are outside. Whether there were any.
   bool drop_outside()
   {
     auto& leaves = left_.leaves;
@@ -317,7 +357,7 @@ private:
       if (!is_monotone(leaves[i]) || outside_[i]) continue;
       const auto begins_at = [&](std::size_t k) {
         const bool follows = leaves[i].state == State::rising ? meets(leaves[k], leaves[i]) : meets(leaves[i], leaves[k]);
-        return follows && (leaves[k].state == State::convex || outside_[k]);
+        return follows && (leaves[k].state == State::convex || leaves[k].state == State::quartic || outside_[k]);
       };
       for (std::size_t k = 0; k < leaves.size() && !outside_[i]; ++k)
         if (k != i && begins_at(k)) outside_[i] = any = true;
@@ -348,11 +388,11 @@ private:
 
   bool are_neighbours(const Contact_leaf& a, const Contact_leaf& b) const { return goes_on(a, b) || goes_on(b, a); }
 
-  /// Whether a vertex is the end of a convex part that is joined to a foot.
+  /// Whether a vertex is the end of a convex or quartic part, along which the power is not negative.
   bool ends_joined_part(std::size_t vertex) const
   {
     return std::any_of(left_.leaves.begin(), left_.leaves.end(), [&](const Contact_leaf& l) {
-      if (l.state != State::convex) return false;
+      if (l.state != State::convex && l.state != State::quartic) return false;
       const Contact_site& s = sites_[l.site];
       const Node& n = s.tree.node(l.node);
       return (n.lo == 0 && s.vertex[0] == vertex) || (n.hi == 1 && s.vertex[1] == vertex);

@@ -19,11 +19,13 @@ public:
 
   explicit End_joiner(std::vector<Seam> seams) : seams_(std::move(seams)) {}
 
-  /// An end of an arc at a finite point with all of its feet that are known; returns its number.
-  std::size_t add(Locus_vertex<2> vertex)
+  /// An end of an arc at a finite point with the feet that are known, and others, one of which at least is one if there are any;
+  /// returns its number.
+  std::size_t add(Locus_vertex<2> vertex, std::vector<Foot> possible = {})
   {
     vertex.feet = distinct(std::move(vertex.feet));
     ends_.push_back(std::move(vertex));
+    possible_.push_back(std::move(possible));
     return ends_.size() - 1;
   }
 
@@ -38,7 +40,7 @@ public:
     };
     for (std::size_t i = 0; i < ends_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (are_one(ends_[i], ends_[j])) parent[find(i)] = find(j);
+        if (are_one(i, j)) parent[find(i)] = find(j);
     std::vector<std::size_t> number(ends_.size());
     degree_.assign(ends_.size(), 0);
     for (std::size_t i = 0; i < ends_.size(); ++i)
@@ -104,25 +106,31 @@ private:
     return !a.parameters.empty() && a.parameters[0].hi - a.parameters[0].lo < b.parameters[0].hi - b.parameters[0].lo;
   }
 
-  /// All feet of one are feet of the other, and the points may be the same: two ends can have their feet in common, as where one
-  /// foot or the other passes from an end of its input to the inside.
-  bool are_one(const Locus_vertex<2>& a, const Locus_vertex<2>& b) const
+  /// The feet of either may be feet of the other, and the points may be the same: two ends can have their feet in common, as where
+  /// one foot or the other passes from an end of its input to the inside.
+  bool are_one(std::size_t i, std::size_t j) const
   {
+    const Locus_vertex<2>&a = ends_[i], &b = ends_[j];
     if (a.point && b.point) {
       const double apart = std::hypot((*a.point)[0] - (*b.point)[0], (*a.point)[1] - (*b.point)[1]);
       if (apart > (a.error + b.error) * (1 + 8 * operation_error) + 0x1p-1000) return false;
     }
-    const auto has = [&](const Locus_vertex<2>& v, const Foot& f) {
-      return std::any_of(v.feet.begin(), v.feet.end(), [&](const Foot& g) { return are_one(f, g); });
+    if (possible_[i].empty() || possible_[j].empty()) return covers(i, j) || covers(j, i);
+    return covers(i, j) && covers(j, i);
+  }
+
+  /// Whether all feet of the second end may be feet of the first one.
+  bool covers(std::size_t i, std::size_t j) const
+  {
+    const auto has = [&](const std::vector<Foot>& feet, const Foot& f) {
+      return std::any_of(feet.begin(), feet.end(), [&](const Foot& g) { return are_one(f, g); });
     };
-    const auto covers = [&](const Locus_vertex<2>& v, const Locus_vertex<2>& w) {
-      return std::all_of(w.feet.begin(), w.feet.end(), [&](const Foot& f) { return has(v, f); });
-    };
-    return covers(a, b) || covers(b, a);
+    return std::all_of(ends_[j].feet.begin(), ends_[j].feet.end(), [&](const Foot& f) { return has(ends_[i].feet, f) || has(possible_[i], f); });
   }
 
   std::vector<Seam> seams_;
   std::vector<Locus_vertex<2>> ends_;
+  std::vector<std::vector<Foot>> possible_;
   std::vector<std::size_t> degree_;
 };
 

@@ -82,7 +82,7 @@ private:
     for (std::size_t e = 0; e < 2 && !open.closed; ++e) {
       if (part.ends[e]) {
         end_error = std::max(end_error, solved_.solution->frame.length(Interval(diameter(part.ends[e]->place.point))).sup());
-        open.end[e] = joiner_.add(event_vertex(*part.ends[e]));
+        open.end[e] = joiner_.add(event_vertex(*part.ends[e]), possible_feet(part.ends[e]->contacts));
       } else if (part.is_open[e]) {
         open.vertex[e] = add_undecided_vertex();
       } else {
@@ -134,12 +134,19 @@ private:
     v.radius = p.radius();
     v.error = p.error();
     for (std::size_t k = 0; k < 2; ++k) v.feet.push_back({is_self_ ? 0 : k, Feature::interior, {event.parameters[k]}});
-    for (const Contact_foot& contact : open_parts(event.contacts)) v.feet.push_back({sites_[contact.site].input, Feature::interior, {sites_[contact.site].range.at(contact.at)}});
-    for (const std::size_t i : event.contacts.vertices) {
-      const Contact_vertex& at = sites_.vertices()[i];
-      v.feet.push_back({sites_[at.site].input, at.feature, {sites_[at.site].range.at(Interval(at.end))}});
-    }
     return v;
+  }
+
+  /// Of an event what may be touched there besides the feet of the arc: the arcs that go on from there tell what is.
+  std::vector<Foot> possible_feet(const Contact_list& contacts) const
+  {
+    std::vector<Foot> feet;
+    for (const Contact_foot& contact : open_parts(contacts)) feet.push_back({sites_[contact.site].input, Feature::interior, {sites_[contact.site].range.at(contact.at)}});
+    for (const std::size_t i : contacts.vertices) {
+      const Contact_vertex& at = sites_.vertices()[i];
+      feet.push_back({sites_[at.site].input, at.feature, {sites_[at.site].range.at(Interval(at.end))}});
+    }
+    return feet;
   }
 
   /// Open leaves side by side hold one contact.
@@ -225,9 +232,17 @@ private:
         data_.vertices.push_back(v);
       } else {
         open.end[e] = joiner_.add(v);
+        if (is_self_ && ends_in_own_foot(v)) diagonal_.push_back(open.end[e]);
       }
     }
     arcs_.push_back(std::move(open));
+  }
+
+  /// Whether both feet of an arc about a corner run into the corner: at the centre of curvature of a piece that begins there.
+  bool ends_in_own_foot(const Locus_vertex<2>& v) const
+  {
+    const auto is_exact = [](const Foot& f) { return f.parameters[0].lo == f.parameters[0].hi; };
+    return v.radius > 0 && std::all_of(v.feet.begin(), v.feet.end(), is_exact) && joiner_.distinct(v.feet).size() == 1;
   }
 
   /// Whether the first foot of an arc of a vertex's cell is the vertex.
@@ -264,6 +279,7 @@ private:
           ends[e] = number[open.end[e]];
           Locus_vertex<2>& v = data_.vertices[*ends[e]];
           if (joiner_.degree(open.end[e]) > 1) v.kind = Vertex_kind::trim;
+          else if (std::find(diagonal_.begin(), diagonal_.end(), open.end[e]) != diagonal_.end()) v.kind = Vertex_kind::diagonal;
           else if (!is_self_ || !ends_in_corner(v)) note_loose(v);
         } else if (open.vertex[e] != none) {
           ends[e] = open.vertex[e];
@@ -312,7 +328,7 @@ private:
   Locus_data<2> base_, data_;
   Contact_sites sites_;
   End_joiner joiner_;
-  std::vector<std::size_t> kept_;
+  std::vector<std::size_t> kept_, diagonal_;
   std::vector<Open_arc> arcs_;
 };
 
