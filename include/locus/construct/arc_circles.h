@@ -73,9 +73,20 @@ public:
     return result;
   }
   /// In a node's cell.
-  Arc_circles over_half_branch() const
+  Arc_circles over_half_branch() const { return circles(placed_over_half_branch()); }
+  /// A disc that holds all circles in a node's cell; much smaller than the coefficients' errors tell where they are small themselves,
+  /// as at a corner. Nothing where they are not enclosed.
+  std::optional<Circle> disc_of_half_branch() const
   {
-    return circles(steps_.over_half_branch(stretch_, steps_.place_vertex(stretch_, stretch_.piece->from)));
+    const Placed p = placed_over_half_branch();
+    const Bisector_map_2& map = p.patch->map;
+    const double x = midpoint(p.point.x), y = midpoint(p.point.y);
+    const Vector_2<Interval> foot = map.first().point(map.chart()(p.at)[0]);
+    const auto greatest = [](const Interval& dx, const Interval& dy) { return sqrt(Interval((dx * dx + dy * dy).sup())); };
+    const Interval r = greatest(foot.x - p.point.x, foot.y - p.point.y) + greatest(p.point.x - Interval(x), p.point.y - Interval(y));
+    if (!std::isfinite(r.sup())) return std::nullopt;
+    const Interval cx(x), cy(y);
+    return Circle({Interval(1), Interval(-2) * cx, Interval(-2) * cy, cx * cx + cy * cy - r * r});
   }
   Arc_circles at_outer_end() const { return circles(steps_.place_vertex(stretch_, stretch_.piece->to)); }
 
@@ -90,6 +101,8 @@ public:
   }
 
 private:
+  Placed placed_over_half_branch() const { return steps_.over_half_branch(stretch_, steps_.place_vertex(stretch_, stretch_.piece->from)); }
+
   /// Circles about points farther than this multiple of the inputs' diameter are given by curvature and normal.
   static constexpr double far = 4;
 

@@ -111,7 +111,8 @@ private:
   void treat_half_branch(const Contact_list& all)
   {
     const Arc_circles over = circles_->over_half_branch();
-    const auto list = search(over, all);
+    const std::optional<Circle> disc = circles_->disc_of_half_branch();
+    const auto list = search(over, disc ? search_.within(*disc, all) : all);
     Answer answer = Answer::nonempty;
     if (list) answer = !list->has_open() && search_.are_feet_free(*list, over.feet) ? answer_of(circles_->at_outer_end(), *list) : Answer::unknown;
     if (answer != Answer::unknown) return add(0, 1, answer);

@@ -95,6 +95,18 @@ public:
     return std::move(left_);
   }
 
+  /// What of a list may reach into a disc.
+  Contact_list within(const Circle& disc, const Contact_list& list)
+  {
+    left_ = {};
+    budget_ = most_leaves;
+    for (const Contact_leaf& l : list.leaves) add_within(disc, l.site, l.node);
+    circle_ = &disc;
+    for (const std::size_t v : list.vertices)
+      if (power_at_vertex(v) != Sign::positive) left_.vertices.push_back(v);
+    return std::move(left_);
+  }
+
   /// The list with whole sites where open parts reach a foot: near the ends of arcs only parts much longer than the feet's distance
   /// may be long enough to tell.
   Contact_list widened(const Contact_list& list, const std::array<Contact_foot, 2>& feet) const
@@ -153,6 +165,7 @@ private:
   /// Parts smaller than this are left open.
   static constexpr double least_width = 0x1p-40;
   static constexpr std::size_t most_leaves = 400;
+  static constexpr double least_part_within = 0x1p-10;
 
   static bool reaches(const Node& n, const Interval& at) { return at.inf() <= n.hi && at.sup() >= n.lo; }
   static bool holds(const Node& n, const Interval& at) { return n.lo <= std::max(0.0, at.inf()) && std::min(1.0, at.sup()) <= n.hi; }
@@ -160,6 +173,21 @@ private:
   static bool holds_some(const Node& n, const Interval& at) { return at.inf() == at.sup() ? reaches(n, at) : at.inf() < n.hi && at.sup() > n.lo; }
 
   Vector_2<Interval> point(const Contact_foot& f) const { return sites_[f.site].evaluator->point(f.at); }
+
+  void add_within(const Circle& disc, std::size_t site, std::size_t node)
+  {
+    const Node& n = sites_[site].tree.node(node);
+    power_.make(disc, n.power, 0);
+    if (power_.common() == Sign::positive) return;
+    if (n.hi - n.lo <= least_part_within || budget_ == 0) {
+      left_.leaves.push_back({site, node, State::open});
+      return;
+    }
+    --budget_;
+    const std::size_t low = sites_[site].tree.halve(node);
+    add_within(disc, site, low);
+    add_within(disc, site, low + 1);
+  }
 
   void treat(std::size_t site, std::size_t node)
   {
