@@ -21,7 +21,7 @@ struct Contact_leaf {
     falling,  ///< the same with its high end
     convex,   ///< the turn grows along it: the power is nonnegative if it is joined to a foot
     quartic,  ///< the power's fourth derivative is positive: of four zeros there are no more than the feet's, if it holds both
-    bent      ///< the curvature is monotone, and there is one foot in it: one further zero at most, which no contact is
+    bent      ///< the curvature rises and falls so seldom that there are no more zeros than the feet's, if its ends are outside
   };
   std::size_t site = 0, node = 0;
   State state = State::open;
@@ -40,7 +40,7 @@ struct Contact_list {
   bool has_pending() const
   {
     using State = Contact_leaf::State;
-    return std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == State::rising || l.state == State::falling || l.state == State::bent; });
+    return std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == State::rising || l.state == State::falling; });
   }
 };
 
@@ -50,11 +50,11 @@ struct Contact_list {
 /// - its turn has one sign, so that no circle touches it, and the end where the power is least is outside;
 /// - its turn grows, and it holds a foot or continues such a part: the power is not negative then;
 /// - it holds both feet and the power's fourth derivative is positive: the power has no other zeros than the two double ones;
-/// - it holds one foot, the curvature is monotone along it and the power is positive at its ends: a circle meets such an arc at most
-///   three times (Kneser), so that a further zero would change the power's sign. An end may also be one of a convex part that is
-///   joined to the other foot, where the power is not negative. Two such parts may meet at a smooth joint where the power is too
-///   small to tell: if it vanished there it would be negative at the far end of one of them, so that one circle of an arc's part
-///   tells for all.
+/// - it is a chain of parts, smoothly joined, that holds k feet, along which the curvature rises and falls in fewer than 2k runs, a
+///   step at a joint included, and the power is not negative at its ends. For an inversion that makes a line of the circle maps
+///   the chain to a graph, if it does not turn too far away from the circle; by Rolle's theorem n zeros of a graph make n - 2 of
+///   its curvature, and those n - 2 runs; and inversions keep runs. So the power has fewer than 2k + 2 zeros, 2k of which are the
+///   feet's, and one more would change its sign. (For one foot this is Kneser's theorem on spirals.)
 /// A negative power at a part's end, or a turn that falls at a foot, means that no circle is empty. Two feet in one chain of parts along
 /// which the turn grows contradict each other: such circles are only met beside joints that are taken as smooth and are not, where
 /// they would be a corner's.
@@ -162,15 +162,19 @@ private:
   using State = Contact_leaf::State;
   using Node = Contact_tree::Node;
 
+  static constexpr std::size_t none = Contact_sites::none;
   /// Parts smaller than this are left open.
   static constexpr double least_width = 0x1p-40;
   static constexpr std::size_t most_leaves = 400;
   static constexpr double least_part_within = 0x1p-10;
+  static constexpr int most_runs = 3; ///< with two feet
 
   static bool reaches(const Node& n, const Interval& at) { return at.inf() <= n.hi && at.sup() >= n.lo; }
   static bool holds(const Node& n, const Interval& at) { return n.lo <= std::max(0.0, at.inf()) && std::min(1.0, at.sup()) <= n.hi; }
   /// More than one end at which another part holds it.
   static bool holds_some(const Node& n, const Interval& at) { return at.inf() == at.sup() ? reaches(n, at) : at.inf() < n.hi && at.sup() > n.lo; }
+
+  const Node& node_of(const Contact_leaf& l) const { return sites_[l.site].tree.node(l.node); }
 
   Vector_2<Interval> point(const Contact_foot& f) const { return sites_[f.site].evaluator->point(f.at); }
 
@@ -234,9 +238,11 @@ private:
         return;
       }
     }
-    if (held == 1 && feet_on(site) == 1 && (power_.first() == Sign::positive || power_.last() == Sign::positive) && sites_[site].tree.has_monotone_curvature(node)) {
-      if (!(power_.first() == Sign::positive && power_.last() == Sign::positive)) left_.leaves.push_back({site, node, State::bent});
-      return;
+    if (reached > 0 && (power_.first() == Sign::positive || power_.last() == Sign::positive)) {
+      if (const auto runs = sites_[site].tree.curvature_runs(node); runs && runs->count <= most_runs) {
+        left_.leaves.push_back({site, node, State::bent});
+        return;
+      }
     }
     halve_or_leave(site, node);
   }
@@ -263,7 +269,7 @@ private:
   {
     note_joined();
     note_quartic();
-    note_bent();
+    drop_bent();
     std::vector<Contact_leaf> loose;
     auto& leaves = left_.leaves;
     std::size_t kept = 0;
@@ -305,29 +311,103 @@ private:
     join_from(seeds, 3);
   }
 
-  /// Two bent parts at both sides of a smooth joint, with the power positive at their other ends; and bent parts whose ends are
-  /// positive or belong to a convex part that is joined to the other foot: those are done with.
-  void note_bent()
+  /// Chains of bent parts that are done with.
+  void drop_bent()
   {
-    auto& leaves = left_.leaves;
-    const auto is_positive_at = [&](const Contact_leaf& l, bool high) {
-      power_.make(*circle_, sites_[l.site].tree.node(l.node).power, 0);
-      return (high ? power_.last() : power_.first()) == Sign::positive;
+    const auto& leaves = left_.leaves;
+    const auto next = [&](std::size_t i) {
+      for (std::size_t k = 0; k < leaves.size(); ++k)
+        if (leaves[k].state == State::bent && goes_on(leaves[i], leaves[k])) return k;
+      return none;
     };
-    std::vector<std::size_t> done;
+    std::vector<char> is_continued(leaves.size(), 0), is_done(leaves.size(), 0);
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+      if (leaves[i].state == State::bent && next(i) != none) is_continued[next(i)] = 1;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-      if (leaves[i].state != State::bent) continue;
-      const char other = (*feet_)[0].site == leaves[i].site ? 2 : 1;
-      std::array<bool, 2> is_outside{};
-      for (const bool high : {false, true}) is_outside[high] = is_positive_at(leaves[i], high) || is_joined_beyond(i, high, other);
-      if (is_outside[0] && is_outside[1]) done.push_back(i);
-      for (std::size_t k = 0; k < leaves.size() && is_outside[0]; ++k)
-        if (leaves[k].state == State::bent && leaves[i].site != leaves[k].site && goes_on(leaves[i], leaves[k]) && is_positive_at(leaves[k], true)) joined_[i] = joined_[k] = 1;
+      if (leaves[i].state != State::bent || is_continued[i]) continue;
+      std::vector<std::size_t> chain{i};
+      for (std::size_t k = next(i); k != none; k = next(k)) chain.push_back(k);
+      if (!is_outside(chain)) continue;
+      for (const std::size_t k : chain) is_done[k] = 1;
     }
-    for (std::size_t k = done.size(); k-- > 0;) {
-      leaves.erase(leaves.begin() + static_cast<std::ptrdiff_t>(done[k]));
-      joined_.erase(joined_.begin() + static_cast<std::ptrdiff_t>(done[k]));
+    drop(is_done);
+  }
+
+  void drop(const std::vector<char>& is_done)
+  {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < left_.leaves.size(); ++i) {
+      if (is_done[i]) continue;
+      left_.leaves[kept] = left_.leaves[i];
+      joined_[kept++] = joined_[i];
     }
+    left_.leaves.resize(kept);
+    joined_.resize(kept);
+  }
+
+  bool is_outside(const std::vector<std::size_t>& chain)
+  {
+    const auto& leaves = left_.leaves;
+    std::array<bool, 2> held{};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Contact_foot& f = (*feet_)[k];
+      double lo = 2, hi = -1;
+      for (const std::size_t i : chain)
+        if (leaves[i].site == f.site) {
+          lo = std::min(lo, node_of(leaves[i]).lo);
+          hi = std::max(hi, node_of(leaves[i]).hi);
+        }
+      held[k] = lo <= std::max(0.0, f.at.inf()) && std::min(1.0, f.at.sup()) <= hi;
+      if (!held[k] && f.at.inf() <= hi && f.at.sup() >= lo) return false;
+    }
+    if (!held[0] && !held[1]) return false;
+    const char beyond = held[0] && held[1] ? 0 : held[0] ? 2 : 1; // the foot that may be beyond
+    for (const bool high : {false, true}) {
+      const std::size_t end = high ? chain.back() : chain.front();
+      power_.make(*circle_, node_of(leaves[end]).power, 0);
+      if ((high ? power_.last() : power_.first()) != Sign::positive && !(beyond && is_joined_beyond(end, high, beyond))) return false;
+    }
+    return runs_of(chain) < 2 * (held[0] + held[1]) && is_graph(chain, (*feet_)[held[0] ? 0 : 1]);
+  }
+
+  int runs_of(const std::vector<std::size_t>& chain) const
+  {
+    const auto& leaves = left_.leaves;
+    Curvature_runs runs;
+    for (std::size_t k = 0; k < chain.size(); ++k) {
+      const Contact_tree& tree = sites_[leaves[chain[k]].site].tree;
+      const auto of_part = tree.curvature_runs(leaves[chain[k]].node);
+      const bool is_same_piece = k > 0 && leaves[chain[k]].site == leaves[chain[k - 1]].site;
+      runs.add(k == 0 || is_same_piece ? Sign::zero : sites_[leaves[chain[k - 1]].site].tree.curvature_step(tree), *of_part);
+    }
+    return runs.count;
+  }
+
+  /// Whether an inversion that makes a line of the circle maps the parts to a graph over it, with the point opposite to a foot A at
+  /// infinity: x' > 0 where the tangent is turned from that at A by less than a right angle but for twice the angle under which the
+  /// point is seen, from the opposite point, away from A. It is if no tangent is turned by more than half a right angle, and no
+  /// point is farther from A than half the radius.
+  bool is_graph(const std::vector<std::size_t>& chain, const Contact_foot& foot) const
+  {
+    constexpr int parts = 8;
+    std::array<Interval, 4> c;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double e = circle_->error[k] + std::abs(circle_->slope[k]);
+      c[k] = Interval(circle_->c[k]) + Interval(-e, e);
+    }
+    const Interval size = CGAL::square(c[1]) + CGAL::square(c[2]) - Interval(4) * c[0] * c[3]; // (2·radius·c0)²
+    const Vector_2<Interval> a = point(foot), along = sites_[foot.site].evaluator->tangent(foot.at);
+    for (const std::size_t i : chain) {
+      const Node& n = node_of(left_.leaves[i]);
+      const auto& evaluator = *sites_[left_.leaves[i].site].evaluator;
+      for (int k = 0; k < parts; ++k) {
+        const Interval t(n.lo + (n.hi - n.lo) * k / parts, n.lo + (n.hi - n.lo) * (k + 1) / parts);
+        const Vector_2<Interval> off = evaluator.point(t) - a, tangent = evaluator.tangent(t);
+        const Interval d = dot(along, tangent), x = cross(along, tangent), reach = Interval(16) * CGAL::square(c[0]) * dot(off, off);
+        if (!((d - x).inf() > 0) || !((d + x).inf() > 0) || !(reach.sup() <= size.inf())) return false;
+      }
+    }
+    return true;
   }
 
   /// Whether the part beyond an end of a leaf, on its own piece or across a smooth joint, is convex and joined to a foot.

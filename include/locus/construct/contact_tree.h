@@ -96,6 +96,37 @@ private:
   std::vector<double> value_, error_, slope_, difference_;
 };
 
+/// Along a part of a curve the curvature rises and falls by turns.
+struct Curvature_runs {
+  int count = 0;
+  Sign first = Sign::zero, last = Sign::zero;
+
+  void add(Sign s)
+  {
+    if (s == Sign::zero) return;
+    if (count == 0) first = s;
+    if (s != last) ++count;
+    last = s;
+  }
+  /// Another part that follows after a step; one that is not known goes against what is beside it.
+  void add(Sign step, const Curvature_runs& next)
+  {
+    add(step == Sign::unknown ? worst_step(next) : step);
+    if (next.count == 0) return;
+    if (count == 0) first = next.first;
+    count += next.count - (last == next.first ? 1 : 0);
+    last = next.last;
+  }
+
+private:
+  Sign worst_step(const Curvature_runs& next) const
+  {
+    const Sign beside = next.count > 0 ? next.first : last;
+    if (count > 0 && next.count > 0 && last != next.first) return Sign::zero;
+    return beside == Sign::positive ? Sign::negative : Sign::positive;
+  }
+};
+
 /// What circles are tested against along one piece of a curve, with dyadic parts made when they are first asked for. Not for
 /// sharing between threads.
 class Contact_tree {
@@ -113,21 +144,32 @@ public:
     nodes_.push_back({0, 1, Enclosed_vector(forms.power), Enclosed_vector(forms.turn), 0});
   }
 
-  /// Whether the curvature is strictly monotone inside a node, as far as doubles tell.
-  bool has_monotone_curvature(std::size_t i) const
+  /// In how many runs at most the curvature rises or falls along a node, and how the first and the last one go; nothing where doubles
+  /// do not tell. By the signs of Bernstein coefficients: no fewer change than the form's own.
+  std::optional<Curvature_runs> curvature_runs(std::size_t i) const
   {
     const Critical& critical = critical_.get();
     const Node& n = nodes_[i];
     const auto part = restrict_to(critical.form, 0, Interval(n.lo), Interval(n.hi));
-    Sign all = Sign::zero;
+    Curvature_runs runs;
     for (std::size_t k = 0; k < part.size(); ++k) {
       const bool is_known_zero = (k == 0 && n.lo == 0 && critical.vanishes[0]) || (k + 1 == part.size() && n.hi == 1 && critical.vanishes[1]);
-      if (is_known_zero) continue;
+      if (is_known_zero || (part[k].inf() == 0 && part[k].sup() == 0)) continue;
       const Sign s = sign_of(part[k]);
-      if (!is_strict(s) || (all != Sign::zero && s != all)) return false;
-      all = s;
+      if (!is_strict(s)) return std::nullopt;
+      runs.add(s);
     }
-    return is_strict(all);
+    return runs;
+  }
+
+  /// How the curvature changes from the end of this curve to the beginning of another that goes on smoothly; unknown where one stands
+  /// still or is infinite there.
+  Sign curvature_step(const Contact_tree& next) const
+  {
+    const auto &before = critical_.get().at_end[1], &after = next.critical_.get().at_end[0];
+    if (!before || !after) return Sign::unknown;
+    const Rational a = before->sign * before->square, b = after->sign * after->square;
+    return a < b ? Sign::positive : b < a ? Sign::negative : Sign::zero;
   }
 
   const Node& node(std::size_t i) const { return nodes_[i]; }
@@ -144,17 +186,24 @@ public:
   }
 
 private:
-  /// The derivative of the curvature, up to positive factors, and whether it vanishes at the ends.
+  /// The derivative of the curvature, up to positive factors, whether it vanishes at the ends, and the curvature there.
   struct Critical {
+    using Forms = Curvature_forms<2>;
+
     Bernstein<Interval, 1> form;
     std::array<bool, 2> vanishes{};
+    std::array<std::optional<Forms::Exact_curvature>, 2> at_end;
 
     Critical() = default;
     explicit Critical(const Planar_curve& curve)
     {
-      const Bernstein<Rational, 1> exact = Curvature_forms<2>(curve.piece()).critical;
-      form = enclosing(exact);
-      vanishes = {exact[0] == 0, exact[exact.size() - 1] == 0};
+      const Forms forms(curve.piece());
+      form = enclosing(forms.critical);
+      for (std::size_t e = 0; e < 2; ++e) {
+        const auto end = [e](const Bernstein<Rational, 1>& f) { return f[e == 0 ? 0 : f.size() - 1]; };
+        vanishes[e] = end(forms.critical) == 0;
+        if (end(forms.speed) != 0 && end(forms.weight) != 0) at_end[e] = forms.at(Rational(static_cast<long>(e)));
+      }
     }
   };
 
