@@ -119,7 +119,7 @@ private:
     const std::array<Interval, 2> local = map.chart()(p.at);
     Arc_circles result{Circle(), {Contact_foot{site_[0], local[0]}, Contact_foot{site_[1], local[1]}}, is_near(p)};
     if (!result.is_by_centre) {
-      result.circle = Circle(by_curvature(map, local));
+      result.circle = Circle(by_curvature(map, p.at, local, map.choose({midpoint(p.at[0]), midpoint(p.at[1])})));
       result.is_by_centre = !std::isfinite(result.circle.greatest_error()); // as where both feet run into one place
     }
     if (result.is_by_centre) result.circle = Circle(by_centre(map, local, p.point));
@@ -169,7 +169,7 @@ private:
   {
     const Bisector_map_2& map = steps_.patch(stretch_).map;
     const std::array<Jet<Interval>, 2> local = map.chart()(at);
-    return is_by_centre ? by_centre(map, local, map.at(at, formula).point) : by_curvature(map, local);
+    return is_by_centre ? by_centre(map, local, map.at(at, formula).point) : by_curvature(map, at, local, formula);
   }
 
   /// |x - q|² - ρ², with ρ from the distance to a foot.
@@ -188,12 +188,13 @@ private:
   /// κ|x - A|² - 2⟨n, x - A⟩ for the first foot A with its normal n, which vanishes at the other foot; times a sign so that the inside
   /// is negative. For the second foot where the first one is infinite.
   template <class T>
-  std::array<T, 4> by_curvature(const Bisector_map_2& map, const std::array<T, 2>& local) const
+  std::array<T, 4> by_curvature(const Bisector_map_2& map, const std::array<T, 2>& at, const std::array<T, 2>& local, Map_formula formula) const
   {
     const Curve_evaluator* curve[2] = {&map.first(), &map.second()};
-    const std::size_t k = contains_zero(value_of(curve[0]->weight(local[0]))) ? 1 : 0;
+    const bool is_contact = formula == Map_formula::contact && map.has_regular_contact();
+    const std::size_t k = !is_contact && contains_zero(value_of(curve[0]->weight(local[0]))) ? 1 : 0;
     const Vector_2<T> foot = curve[k]->point(local[k]), a = curve[k]->tangent(local[k]);
-    const T s{Interval(orientation_[k])}, kappa = s * curvature(map, local, k), nx = -(s * a.y), ny = s * a.x, two{Interval(2)};
+    const T s{Interval(orientation_[k])}, kappa = s * (is_contact ? map.curvature_by_contact(at) : curvature(map, local, k)), nx = -(s * a.y), ny = s * a.x, two{Interval(2)};
     return {kappa, -(two * (kappa * foot.x + nx)), -(two * (kappa * foot.y + ny)), kappa * dot(foot, foot) + two * (nx * foot.x + ny * foot.y)};
   }
 

@@ -144,6 +144,18 @@ public:
     return by_normals > by_chord ? Map_formula::normals : Map_formula::chord;
   }
 
+  /// Whether the contact form gives the circle's curvature also where the bisector point is at infinity.
+  bool has_regular_contact() const { return contact_ && contact_->power == std::array<int, 2>{0, 0}; }
+
+  /// The circle's curvature times the length of the first tangent, by a regular contact form.
+  template <class T>
+  T curvature_by_contact(const std::array<T, 2>& x) const
+  {
+    const std::array<T, 2> p = chart_(x);
+    const T ex = contact_->chord[0].along(x), ey = contact_->chord[1].along(x);
+    return T(Interval(-2)) * first_->weight(p[0]) * second_->weight(p[1]) * contact_->turn.along(x) / (ex * ex + ey * ey);
+  }
+
   /// Whether the circle of a solution touches the curves from different sides, if their tangents are directed alike: with λ
   /// the feet's distances along the normals, Im(e ā)·Im(e b̄) is positive then. Along F3 = 0 its sign changes at poles only.
   Sign touches_both_sides(const std::array<Interval, 2>& x) const
@@ -179,7 +191,7 @@ public:
   {
     const std::array<Jet<Interval>, 2> p = chart_(x);
     double radius = least_radius(p, length);
-    if (contact_ && contact_->power == std::array<int, 2>{0, 0}) radius = std::max(radius, least_contact_radius(x, p, length));
+    if (has_regular_contact()) radius = std::max(radius, least_contact_radius(x, p, length));
     if (!std::isfinite(radius)) return radius;
     double bound = 0;
     for (const auto& foot : {first_->point(p[0].value), second_->point(p[1].value)}) {

@@ -107,14 +107,14 @@ public:
     return std::move(left_);
   }
 
-  /// The list with whole sites where open parts reach a foot: near the ends of arcs only parts much longer than the feet's distance
-  /// may be long enough to tell.
+  /// The list with whole sites where open parts are beside a foot: near the ends of arcs only parts much longer than the feet's
+  /// distance may be long enough to tell.
   Contact_list widened(const Contact_list& list, const std::array<Contact_foot, 2>& feet) const
   {
     std::array<bool, 2> is_whole{};
     for (const Contact_leaf& l : list.leaves)
       for (std::size_t k = 0; k < 2; ++k)
-        is_whole[k] = is_whole[k] || (l.state == State::open && l.site == feet[k].site && reaches(sites_[l.site].tree.node(l.node), feet[k].at));
+        is_whole[k] = is_whole[k] || (l.state == State::open && l.site == feet[k].site && reaches(node_of(l), feet[k].at + Interval(-beside, beside)));
     if (is_whole[1] && feet[0].site == feet[1].site) is_whole[1] = !is_whole[0];
     Contact_list wide;
     wide.vertices = list.vertices;
@@ -168,6 +168,7 @@ private:
   static constexpr std::size_t most_leaves = 400;
   static constexpr double least_part_within = 0x1p-10;
   static constexpr int most_runs = 3; ///< with two feet
+  static constexpr double beside = 0x1p-6;
 
   static bool reaches(const Node& n, const Interval& at) { return at.inf() <= n.hi && at.sup() >= n.lo; }
   static bool holds(const Node& n, const Interval& at) { return n.lo <= std::max(0.0, at.inf()) && std::min(1.0, at.sup()) <= n.hi; }
@@ -239,7 +240,7 @@ private:
       }
     }
     if (reached > 0 && (power_.first() == Sign::positive || power_.last() == Sign::positive)) {
-      if (const auto runs = sites_[site].tree.curvature_runs(node); runs && runs->count <= most_runs) {
+      if (const auto runs = sites_[site].tree.curvature_runs(n.lo, n.hi); runs && runs->count <= most_runs) {
         left_.leaves.push_back({site, node, State::bent});
         return;
       }
@@ -311,6 +312,14 @@ private:
     join_from(seeds, 3);
   }
 
+  /// A part of a site in a chain of such parts; the power is not negative beyond an end that is outside.
+  struct Span {
+    std::size_t site;
+    double lo, hi;
+  };
+
+  Span span_of(const Contact_leaf& l) const { return {l.site, node_of(l).lo, node_of(l).hi}; }
+
   /// Chains of bent parts that are done with.
   void drop_bent()
   {
@@ -348,46 +357,71 @@ private:
   bool is_outside(const std::vector<std::size_t>& chain)
   {
     const auto& leaves = left_.leaves;
+    std::vector<Span> spans;
+    for (const std::size_t i : chain) spans.push_back(span_of(leaves[i]));
+    std::array<std::size_t, 2> beyond{none, none}; // convex parts joined to a foot
+    for (const bool high : {false, true}) {
+      const std::size_t end = high ? chain.back() : chain.front();
+      power_.make(*circle_, node_of(leaves[end]).power, 0);
+      if ((high ? power_.last() : power_.first()) == Sign::positive) continue;
+      beyond[high] = joined_beyond(end, high);
+      if (beyond[high] == none) return false;
+    }
+    if (has_few_zeros(spans)) return true;
+    // Up to the foot in a convex part.
+    for (const bool high : {false, true}) {
+      if (beyond[high] == none) continue;
+      const Contact_leaf& l = leaves[beyond[high]];
+      for (const Contact_foot& f : *feet_) {
+        Span s = span_of(l);
+        if (f.site != l.site || !holds(node_of(l), f.at)) continue;
+        (high ? s.hi : s.lo) = high ? std::min(s.hi, f.at.sup()) : std::max(s.lo, f.at.inf());
+        std::vector<Span> longer = spans;
+        longer.insert(high ? longer.end() : longer.begin(), s);
+        if (has_few_zeros(longer)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether the power has no zeros along a chain but the feet's, if it is not negative at its ends.
+  bool has_few_zeros(const std::vector<Span>& chain) const
+  {
     std::array<bool, 2> held{};
     for (std::size_t k = 0; k < 2; ++k) {
       const Contact_foot& f = (*feet_)[k];
       double lo = 2, hi = -1;
-      for (const std::size_t i : chain)
-        if (leaves[i].site == f.site) {
-          lo = std::min(lo, node_of(leaves[i]).lo);
-          hi = std::max(hi, node_of(leaves[i]).hi);
+      for (const Span& s : chain)
+        if (s.site == f.site) {
+          lo = std::min(lo, s.lo);
+          hi = std::max(hi, s.hi);
         }
       held[k] = lo <= std::max(0.0, f.at.inf()) && std::min(1.0, f.at.sup()) <= hi;
-      if (!held[k] && f.at.inf() <= hi && f.at.sup() >= lo) return false;
+      if (!held[k] && f.at.inf() < hi && f.at.sup() > lo) return false;
     }
     if (!held[0] && !held[1]) return false;
-    const char beyond = held[0] && held[1] ? 0 : held[0] ? 2 : 1; // the foot that may be beyond
-    for (const bool high : {false, true}) {
-      const std::size_t end = high ? chain.back() : chain.front();
-      power_.make(*circle_, node_of(leaves[end]).power, 0);
-      if ((high ? power_.last() : power_.first()) != Sign::positive && !(beyond && is_joined_beyond(end, high, beyond))) return false;
-    }
-    return runs_of(chain) < 2 * (held[0] + held[1]) && is_graph(chain, (*feet_)[held[0] ? 0 : 1]);
+    const auto runs = runs_of(chain);
+    return runs && runs->count < 2 * (held[0] + held[1]) && is_graph(chain, (*feet_)[held[0] ? 0 : 1]);
   }
 
-  int runs_of(const std::vector<std::size_t>& chain) const
+  std::optional<Curvature_runs> runs_of(const std::vector<Span>& chain) const
   {
-    const auto& leaves = left_.leaves;
     Curvature_runs runs;
     for (std::size_t k = 0; k < chain.size(); ++k) {
-      const Contact_tree& tree = sites_[leaves[chain[k]].site].tree;
-      const auto of_part = tree.curvature_runs(leaves[chain[k]].node);
-      const bool is_same_piece = k > 0 && leaves[chain[k]].site == leaves[chain[k - 1]].site;
-      runs.add(k == 0 || is_same_piece ? Sign::zero : sites_[leaves[chain[k - 1]].site].tree.curvature_step(tree), *of_part);
+      const Contact_tree& tree = sites_[chain[k].site].tree;
+      const auto of_part = tree.curvature_runs(chain[k].lo, chain[k].hi);
+      if (!of_part) return std::nullopt;
+      const bool is_same_piece = k > 0 && chain[k].site == chain[k - 1].site;
+      runs.add(k == 0 || is_same_piece ? Sign::zero : sites_[chain[k - 1].site].tree.curvature_step(tree), *of_part);
     }
-    return runs.count;
+    return runs;
   }
 
   /// Whether an inversion that makes a line of the circle maps the parts to a graph over it, with the point opposite to a foot A at
   /// infinity: x' > 0 where the tangent is turned from that at A by less than a right angle but for twice the angle under which the
   /// point is seen, from the opposite point, away from A. It is if no tangent is turned by more than half a right angle, and no
   /// point is farther from A than half the radius.
-  bool is_graph(const std::vector<std::size_t>& chain, const Contact_foot& foot) const
+  bool is_graph(const std::vector<Span>& chain, const Contact_foot& foot) const
   {
     constexpr int parts = 8;
     std::array<Interval, 4> c;
@@ -397,11 +431,11 @@ private:
     }
     const Interval size = CGAL::square(c[1]) + CGAL::square(c[2]) - Interval(4) * c[0] * c[3]; // (2·radius·c0)²
     const Vector_2<Interval> a = point(foot), along = sites_[foot.site].evaluator->tangent(foot.at);
-    for (const std::size_t i : chain) {
-      const Node& n = node_of(left_.leaves[i]);
-      const auto& evaluator = *sites_[left_.leaves[i].site].evaluator;
+    for (const Span& s : chain) {
+      const auto& evaluator = *sites_[s.site].evaluator;
+      const double step = (s.hi - s.lo) / parts;
       for (int k = 0; k < parts; ++k) {
-        const Interval t(n.lo + (n.hi - n.lo) * k / parts, n.lo + (n.hi - n.lo) * (k + 1) / parts);
+        const Interval t(s.lo + k * step, k + 1 == parts ? s.hi : s.lo + (k + 1) * step); // one ends where the next one begins
         const Vector_2<Interval> off = evaluator.point(t) - a, tangent = evaluator.tangent(t);
         const Interval d = dot(along, tangent), x = cross(along, tangent), reach = Interval(16) * CGAL::square(c[0]) * dot(off, off);
         if (!((d - x).inf() > 0) || !((d + x).inf() > 0) || !(reach.sup() <= size.inf())) return false;
@@ -410,13 +444,13 @@ private:
     return true;
   }
 
-  /// Whether the part beyond an end of a leaf, on its own piece or across a smooth joint, is convex and joined to a foot.
-  bool is_joined_beyond(std::size_t i, bool high, char foot) const
+  /// The part beyond an end of a leaf, on its own piece or across a smooth joint, if it is convex and joined to a foot.
+  std::size_t joined_beyond(std::size_t i, bool high) const
   {
     const auto& leaves = left_.leaves;
     for (std::size_t k = 0; k < leaves.size(); ++k)
-      if (leaves[k].state == State::convex && joined_[k] == foot && (high ? goes_on(leaves[i], leaves[k]) : goes_on(leaves[k], leaves[i]))) return true;
-    return false;
+      if (leaves[k].state == State::convex && joined_[k] && (high ? goes_on(leaves[i], leaves[k]) : goes_on(leaves[k], leaves[i]))) return k;
+    return none;
   }
 
   /// Which convex parts hold a foot, or continue such a part without a corner between: 1 for the first foot, 2 for the second one.

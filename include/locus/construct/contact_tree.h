@@ -144,16 +144,15 @@ public:
     nodes_.push_back({0, 1, Enclosed_vector(forms.power), Enclosed_vector(forms.turn), 0});
   }
 
-  /// In how many runs at most the curvature rises or falls along a node, and how the first and the last one go; nothing where doubles
+  /// In how many runs at most the curvature rises or falls from lo to hi, and how the first and the last one go; nothing where doubles
   /// do not tell. By the signs of Bernstein coefficients: no fewer change than the form's own.
-  std::optional<Curvature_runs> curvature_runs(std::size_t i) const
+  std::optional<Curvature_runs> curvature_runs(double lo, double hi) const
   {
     const Critical& critical = critical_.get();
-    const Node& n = nodes_[i];
-    const auto part = restrict_to(critical.form, 0, Interval(n.lo), Interval(n.hi));
+    const auto part = restrict_to(critical.form, 0, Interval(lo), Interval(hi));
     Curvature_runs runs;
     for (std::size_t k = 0; k < part.size(); ++k) {
-      const bool is_known_zero = (k == 0 && n.lo == 0 && critical.vanishes[0]) || (k + 1 == part.size() && n.hi == 1 && critical.vanishes[1]);
+      const bool is_known_zero = (k == 0 && lo == 0 && critical.vanishes[0]) || (k + 1 == part.size() && hi == 1 && critical.vanishes[1]);
       if (is_known_zero || (part[k].inf() == 0 && part[k].sup() == 0)) continue;
       const Sign s = sign_of(part[k]);
       if (!is_strict(s)) return std::nullopt;
