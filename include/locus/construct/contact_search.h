@@ -152,7 +152,7 @@ public:
       if (!note(sites_[l.site].evaluator->point(Interval(n.lo, n.hi)))) return Sign::unknown;
     }
     for (const std::size_t v : list.vertices) {
-      const Contact_vertex& at = sites_.vertices()[v];
+      const Contact_vertex::Place& at = sites_.vertices()[v].places.front();
       if (!note(sites_[at.site].evaluator->point(Interval(at.end)))) return Sign::unknown;
     }
     return all;
@@ -217,7 +217,7 @@ private:
     }
     if (reached < 2) {
       slope_.make(*circle_, n.turn, 1);
-      const Sign s = slope_.common({n.lo == 0 ? sites_[site].rests[0] : 0, n.hi == 1 ? sites_[site].rests[1] : 0});
+      const Sign s = reached == 1 && sites_[site].is_line ? Sign::positive : slope_.common(); // on a line whatever the parameter
       if (s == Sign::negative && held == 1) {
         is_nonempty_ = true;
         return;
@@ -498,8 +498,9 @@ private:
     for (std::size_t i = 0; i < leaves.size(); ++i) {
       if (!is_monotone(leaves[i]) || outside_[i]) continue;
       const auto begins_at = [&](std::size_t k) {
-        const bool follows = leaves[i].state == State::rising ? meets(leaves[k], leaves[i]) : meets(leaves[i], leaves[k]);
-        return follows && (leaves[k].state == State::convex || leaves[k].state == State::quartic || outside_[k]);
+        if (leaves[k].state != State::convex && leaves[k].state != State::quartic && !outside_[k]) return false;
+        const bool is_rising = leaves[i].state == State::rising;
+        return (is_rising ? goes_on(leaves[k], leaves[i]) : goes_on(leaves[i], leaves[k])) || has_end_at(leaves[k], vertex_at(leaves[i], is_rising ? 0 : 1));
       };
       for (std::size_t k = 0; k < leaves.size() && !outside_[i]; ++k)
         if (k != i && begins_at(k)) outside_[i] = any = true;
@@ -513,13 +514,13 @@ private:
     return false;
   }
 
-  /// Whether the second part begins, smoothly or in a corner, where the first one ends.
-  bool meets(const Contact_leaf& a, const Contact_leaf& b) const
+  /// The end or corner at an end of a part, if that is one.
+  std::size_t vertex_at(const Contact_leaf& l, std::size_t end) const
   {
-    if (goes_on(a, b)) return true;
-    const std::size_t corner = sites_[a.site].vertex[1];
-    return corner != Contact_sites::none && corner == sites_[b.site].vertex[0] && sites_[a.site].tree.node(a.node).hi == 1 && sites_[b.site].tree.node(b.node).lo == 0;
+    const Node& n = node_of(l);
+    return (end == 0 ? n.lo == 0 : n.hi == 1) ? sites_[l.site].vertex[end] : none;
   }
+  bool has_end_at(const Contact_leaf& l, std::size_t vertex) const { return vertex != none && (vertex_at(l, 0) == vertex || vertex_at(l, 1) == vertex); }
 
   /// Whether the second part begins, smoothly, where the first one ends.
   bool goes_on(const Contact_leaf& a, const Contact_leaf& b) const
@@ -534,16 +535,13 @@ private:
   bool ends_joined_part(std::size_t vertex) const
   {
     return std::any_of(left_.leaves.begin(), left_.leaves.end(), [&](const Contact_leaf& l) {
-      if (l.state != State::convex && l.state != State::quartic) return false;
-      const Contact_site& s = sites_[l.site];
-      const Node& n = s.tree.node(l.node);
-      return (n.lo == 0 && s.vertex[0] == vertex) || (n.hi == 1 && s.vertex[1] == vertex);
+      return (l.state == State::convex || l.state == State::quartic) && has_end_at(l, vertex);
     });
   }
 
   Sign power_at_vertex(std::size_t vertex)
   {
-    const Contact_vertex& v = sites_.vertices()[vertex];
+    const Contact_vertex::Place& v = sites_.vertices()[vertex].places.front();
     power_.make(*circle_, sites_[v.site].tree.node(0).power, 0);
     return v.end == 0 ? power_.first() : power_.last();
   }

@@ -142,10 +142,8 @@ private:
   {
     std::vector<Foot> feet;
     for (const Contact_foot& contact : open_parts(contacts)) feet.push_back({sites_[contact.site].input, Feature::interior, {sites_[contact.site].range.at(contact.at)}});
-    for (const std::size_t i : contacts.vertices) {
-      const Contact_vertex& at = sites_.vertices()[i];
-      feet.push_back({sites_[at.site].input, at.feature, {sites_[at.site].range.at(Interval(at.end))}});
-    }
+    for (const std::size_t i : contacts.vertices)
+      for (const auto& at : sites_.vertices()[i].places) feet.push_back({sites_[at.site].input, at.feature, {sites_[at.site].range.at(Interval(at.end))}});
     return feet;
   }
 
