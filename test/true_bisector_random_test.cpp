@@ -152,6 +152,14 @@ private:
   }
 
 public:
+  /// With control points anywhere on the grid.
+  Named_curve wide_bezier()
+  {
+    size_ = 16;
+    corner_ = {-8, -8};
+    return bezier_here();
+  }
+
   /// A closed spline about the middle.
   Named_curve ring()
   {
@@ -533,6 +541,11 @@ bool are_apart(const Dense_curve& a, const Dense_curve& b, double enough)
   for (const Dense_piece& p : a.pieces())
     for (int i = 0; i <= 600; ++i)
       if (b.distance_from(p.at(i / 600.0)) <= enough) return false;
+  for (const Dense_piece& p : a.pieces())
+    for (const Dense_piece& q : b.pieces())
+      for (std::size_t i = 0; i + 1 < p.samples().size(); ++i)
+        for (std::size_t k = 0; k + 1 < q.samples().size(); ++k)
+          if (is_crossing(p.samples()[i], p.samples()[i + 1], q.samples()[k], q.samples()[k + 1])) return false;
   return true;
 }
 
@@ -561,6 +574,20 @@ Job random_pair(std::size_t number)
       Named_curve a = splines ? maker.spline() : maker.bezier(), b = splines && !mixed ? maker.spline() : maker.bezier();
       if (splines && mixed && random.chance(50)) std::swap(a, b);
       if (are_apart(Dense_curve(a.curve), Dense_curve(b.curve), 0.02)) return {{std::move(a), std::move(b)}};
+    } catch (const Invalid_input&) { // another one
+    }
+  }
+}
+
+/// Two Bezier curves with control points anywhere on the grid.
+Job random_wide_pair(std::size_t number)
+{
+  Random random(0x54570000u + number);
+  Curve_maker maker(random);
+  for (;;) {
+    try {
+      Named_curve a = maker.wide_bezier(), b = maker.wide_bezier();
+      if (are_apart(Dense_curve(a.curve), Dense_curve(b.curve), 0.005)) return {{std::move(a), std::move(b)}};
     } catch (const Invalid_input&) { // another one
     }
   }
@@ -1368,6 +1395,14 @@ TEST_CASE("random pairs of disjoint curves: a dense search", "[true_bisector]")
   Report report;
   for (std::size_t number = from; number < from + count; ++number) run_job(report, random_pair(number), "pair " + std::to_string(number));
   conclude(report, 12 + count / 25);
+}
+
+TEST_CASE("random pairs of disjoint Bezier curves: a dense search", "[true_bisector]")
+{
+  const std::size_t from = number_from("LOCUS_WIDE_FROM", 0), count = number_from("LOCUS_WIDE_COUNT", 150);
+  Report report;
+  for (std::size_t number = from; number < from + count; ++number) run_job(report, random_wide_pair(number), "wide pair " + std::to_string(number));
+  conclude(report, 0);
 }
 
 TEST_CASE("random smooth loops: the medial axis", "[medial]") { run_loops(true); }
