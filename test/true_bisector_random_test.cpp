@@ -928,7 +928,14 @@ protected:
     }
   }
 
-  /// A start, an end or a corner is at an end of a piece.
+  /// Whether a piece stands still inside, at a parameter: it may turn back there.
+  static bool is_standstill(const Dense_piece& piece, double at)
+  {
+    const double lo = piece.range().lo.get_d(), hi = piece.range().hi.get_d(), s = (at - lo) / (hi - lo);
+    return s > 0 && s < 1 && length(piece.jet(s).v) <= 1e-7;
+  }
+
+  /// A start or an end is at an end of the curve, a corner at one of a piece or where it turns back.
   void check_feature(const Dense_curve& curve, const Foot& f, const std::string& what)
   {
     if (f.feature == Feature::interior) return;
@@ -938,7 +945,7 @@ protected:
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       if (f.feature == Feature::start) found = found || (i == 0 && contains(pieces[i].range().lo));
       else if (f.feature == Feature::end) found = found || (i + 1 == pieces.size() && contains(pieces[i].range().hi));
-      else found = found || contains(pieces[i].range().lo) || contains(pieces[i].range().hi);
+      else found = found || contains(pieces[i].range().lo) || contains(pieces[i].range().hi) || is_standstill(pieces[i], f.parameters[0].lo);
     }
     if (!found) say("FEET", what + ": no " + name_of(f.feature) + " at parameter " + show(f.parameters[0].lo));
   }

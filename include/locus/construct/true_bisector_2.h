@@ -6,6 +6,7 @@
 #include <locus/construct/locus_ends.h>
 #include <locus/construct/point_curve_bisector.h>
 #include <locus/construct/untrimmed_bisector_2.h>
+#include <locus/shape/folds.h>
 
 namespace locus {
 namespace detail {
@@ -13,16 +14,20 @@ namespace detail {
 /// Puts a true bisector together: parts of the untrimmed one between insides, and arcs about ends and corners.
 class True_bisector_maker {
 public:
-  True_bisector_maker(std::vector<const Curve_2*> curves, const Bisector_options& options)
-    : curves_(std::move(curves)), options_(options), is_self_(curves_.size() == 1), solved_(solved_inputs(*curves_[0], is_self_ ? nullptr : curves_[1], options)),
-      base_(untrimmed_data(solved_)), joiner_(seams())
+  True_bisector_maker(const std::vector<const Curve_2*>& given, const Bisector_options& options)
+    : inputs_(without_folds_all(given)), curves_(addresses(inputs_)), options_(options), is_self_(curves_.size() == 1),
+      solved_(solved_inputs(*curves_[0], is_self_ ? nullptr : curves_[1], options)), base_(untrimmed_data(solved_)), joiner_(seams())
   {
     data_ = base_;
     data_.trimmed = true;
     data_.vertices.clear();
     data_.arcs.clear();
     data_.degenerate.clear(); // they are of the equations
-    for (std::size_t k = 0; k < curves_.size(); ++k) sites_.add_input(*solved_.pieces[k]);
+    for (std::size_t k = 0; k < curves_.size(); ++k) {
+      sites_.add_input(*solved_.pieces[k]);
+      const auto &own = curves_[k]->chain().pieces, &all = given[k]->chain().pieces;
+      is_shorter_.push_back({own.front().lo != all.front().lo, own.back().hi != all.back().hi});
+    }
   }
 
   Locus_data<2> make()
@@ -44,6 +49,19 @@ private:
     bool closed = false;
     std::array<std::size_t, 2> end{none, none}, vertex{none, none};
   };
+
+  static std::vector<Curve_2> without_folds_all(const std::vector<const Curve_2*>& given)
+  {
+    std::vector<Curve_2> all;
+    for (const Curve_2* c : given) all.push_back(without_folds(*c));
+    return all;
+  }
+  static std::vector<const Curve_2*> addresses(const std::vector<Curve_2>& curves)
+  {
+    std::vector<const Curve_2*> all;
+    for (const Curve_2& c : curves) all.push_back(&c);
+    return all;
+  }
 
   std::vector<End_joiner::Seam> seams() const
   {
@@ -270,7 +288,10 @@ private:
   void join()
   {
     const std::vector<std::size_t> number = joiner_.join(data_.vertices);
-    for (const Open_arc& open : arcs_) {
+    for (Locus_vertex<2>& v : data_.vertices)
+      for (Foot& f : v.feet) f.feature = feature_of_given(f.input, f.feature);
+    for (Open_arc& open : arcs_) {
+      for (std::size_t i = 0; i < open.features.size(); ++i) open.features[i] = feature_of_given(open.inputs[i], open.features[i]);
       std::array<std::optional<std::size_t>, 2> ends;
       for (std::size_t e = 0; e < 2; ++e) {
         if (open.end[e] != none) {
@@ -287,6 +308,13 @@ private:
         if (ends[e] && data_.vertices[*ends[e]].kind == Vertex_kind::infinity) direct_outwards(data_.vertices[*ends[e]], *open.geometry, e);
       data_.arcs.emplace_back(open.geometry, ends[0], ends[1], open.inputs, open.features);
     }
+  }
+
+  /// Where a piece that runs back has been left out, the curve turns back.
+  Feature feature_of_given(std::size_t input, Feature f) const
+  {
+    const bool is_turn = (f == Feature::start && is_shorter_[input][0]) || (f == Feature::end && is_shorter_[input][1]);
+    return is_turn ? Feature::corner : f;
   }
 
   /// A self-bisector's arc that begins at a corner of the curve.
@@ -319,6 +347,7 @@ private:
     data_.undecided.push_back(std::move(u));
   }
 
+  std::vector<Curve_2> inputs_;
   std::vector<const Curve_2*> curves_;
   const Bisector_options& options_;
   bool is_self_;
@@ -326,15 +355,16 @@ private:
   Locus_data<2> base_, data_;
   Contact_sites sites_;
   End_joiner joiner_;
+  std::vector<std::array<bool, 2>> is_shorter_;
   std::vector<std::size_t> kept_, diagonal_;
   std::vector<Open_arc> arcs_;
 };
 
-inline Locus<2> true_bisector(std::vector<const Curve_2*> curves, const Bisector_options& options)
+inline Locus<2> true_bisector(const std::vector<const Curve_2*>& curves, const Bisector_options& options)
 {
   return with_upward_rounding([&] {
     const auto start = std::chrono::steady_clock::now();
-    Locus_data<2> data = True_bisector_maker(std::move(curves), options).make();
+    Locus_data<2> data = True_bisector_maker(curves, options).make();
     data.statistics.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return Locus<2>(std::move(data));
   });
