@@ -13,6 +13,7 @@ struct Arc_circles {
   Circle circle;
   std::array<Contact_foot, 2> feet;
   bool is_by_centre = true; ///< the first coefficient is 1
+  bool is_loose = false;    ///< the arc is enclosed much more widely than it runs
 };
 
 /// Encloses the circles of one step of an arc.
@@ -65,6 +66,7 @@ public:
     box[1 - pivot] = Interval(a.base, b.base);
     box[pivot] = jet ? jet->value : evaluator_->range_over(a.base, b.base, a.at[pivot], b.at[pivot]);
     Arc_circles result = circles(steps_.place_on(stretch_, box));
+    result.is_loose = !jet || width(box[pivot]) > 2 * width(hull(a.at[pivot], b.at[pivot]));
     if (!jet || !middle) return result;
     std::array<Jet<Interval>, 2> jets;
     jets[1 - pivot] = {box[1 - pivot], Interval(1), Interval(0)};
@@ -89,6 +91,19 @@ public:
     return Circle({Interval(1), Interval(-2) * cx, Interval(-2) * cy, cx * cx + cy * cy - r * r});
   }
   Arc_circles at_outer_end() const { return circles(steps_.place_vertex(stretch_, stretch_.piece->to)); }
+
+  /// The same step to be evaluated from one place to another only: what is enclosed loosely on all of it is not there. Nothing for
+  /// a part that is not short.
+  std::optional<Step_circles> restricted(const Place& a, const Place& b) const
+  {
+    const auto base = static_cast<std::size_t>(evaluator_->base()), pivot = static_cast<std::size_t>(evaluator_->pivot());
+    const Curve_graph::Cell_form& form = own_form_ ? *own_form_ : *stretch_.form;
+    if (!(b.base - a.base < 0.3 * (form.box.hi[base] - form.box.lo[base]))) return std::nullopt;
+    Step_circles part(*this);
+    part.own_form_ = std::make_shared<const Curve_graph::Cell_form>(evaluator_->restricted_form(a.base, b.base, a.at[pivot], b.at[pivot]));
+    part.evaluator_.emplace(*part.own_form_, stretch_.piece->base);
+    return part;
+  }
 
   Placed placed_over(const Place& a, const Place& b) const
   {
@@ -236,6 +251,7 @@ private:
   Arc_stretch stretch_;
   double scale_;
   std::array<std::size_t, 2> site_{};
+  std::shared_ptr<const Curve_graph::Cell_form> own_form_; ///< of a part
   std::optional<Piece_evaluator> evaluator_;
   std::array<double, 2> orientation_{1, 1};
 };

@@ -150,8 +150,12 @@ private:
       return add_unknown(lo.base, hi.base, event_at(circles_->placed_over(lo, hi), over.feet, *list), side);
     }
     const Contact_list rest = search_.widened(*list, over.feet);
+    const Step_circles* all_of_step = circles_;
+    const std::optional<Step_circles> part = over.is_loose ? circles_->restricted(lo, hi) : std::nullopt;
+    if (part) circles_ = &*part;
     treat(lo, *middle, rest, at_lo, at_middle);
     treat(*middle, hi, rest, at_middle, at_hi);
+    circles_ = all_of_step;
   }
 
   Answer answer_somewhere(const Place& lo, const Place& hi, const Contact_list& list)
