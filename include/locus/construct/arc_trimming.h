@@ -163,6 +163,8 @@ private:
     for (const double f : {0.3125, 0.6875, 0.0625, 0.9375})
       if (const auto place = circles_->between(lo, hi, f))
         if (const Answer answer = answer_at(*place, list); answer != Answer::unknown) return answer;
+    for (const Place& end : {lo, hi})
+      if (const Answer answer = answer_at(end, list); answer != Answer::unknown) return answer;
     return Answer::unknown;
   }
 

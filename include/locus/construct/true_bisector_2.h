@@ -100,7 +100,11 @@ private:
     for (std::size_t e = 0; e < 2 && !open.closed; ++e) {
       if (part.ends[e]) {
         end_error = std::max(end_error, solved_.solution->frame.length(Interval(diameter(part.ends[e]->place.point))).sup());
-        open.end[e] = joiner_.add(event_vertex(*part.ends[e]), possible_feet(part.ends[e]->contacts));
+        std::vector<Foot> possible = possible_feet(part.ends[e]->contacts);
+        const std::optional<std::size_t> changing = only_input(possible, [](const Foot&) { return true; });
+        Locus_vertex<2> v = event_vertex(*part.ends[e]);
+        std::vector<Foot> pair = v.feet;
+        open.end[e] = joiner_.add({std::move(v), std::move(possible), std::move(pair), arcs_.size(), changing});
       } else if (part.is_open[e]) {
         open.vertex[e] = add_undecided_vertex();
       } else {
@@ -131,7 +135,9 @@ private:
   {
     const Locus_vertex<2>& vertex = base_.vertices[v];
     if (vertex.kind == Vertex_kind::boundary || vertex.kind == Vertex_kind::corner) {
-      open.end[e] = joiner_.add(vertex);
+      std::vector<Foot> pair = vertex.feet;
+      for (Foot& f : pair) f.feature = Feature::interior;
+      open.end[e] = joiner_.add({vertex, {}, std::move(pair), arcs_.size(), only_input(vertex.feet, [](const Foot& f) { return f.feature != Feature::interior; })});
       return;
     }
     kept_.resize(base_.vertices.size(), none);
@@ -141,6 +147,20 @@ private:
       data_.vertices.back().half_branches.clear();
     }
     open.vertex[e] = kept_[v];
+  }
+
+  /// The input of some feet, if it is one; of two inputs.
+  template <class Is_counted>
+  std::optional<std::size_t> only_input(const std::vector<Foot>& feet, Is_counted is_counted) const
+  {
+    std::optional<std::size_t> only;
+    if (is_self_) return only;
+    for (const Foot& f : feet) {
+      if (!is_counted(f)) continue;
+      if (only && *only != f.input) return std::nullopt;
+      only = f.input;
+    }
+    return only;
   }
 
   Locus_vertex<2> event_vertex(const Arc_event& event) const
@@ -247,11 +267,39 @@ private:
         open.vertex[e] = data_.vertices.size();
         data_.vertices.push_back(v);
       } else {
-        open.end[e] = joiner_.add(v);
+        open.end[e] = joiner_.add({v, {}, pair_at(arc, e, v), arcs_.size(), changing_input(v, own)});
         if (is_self_ && ends_in_own_foot(v)) diagonal_.push_back(open.end[e]);
       }
     }
     arcs_.push_back(std::move(open));
+  }
+
+  /// The feet at an end of an arc. Where it is evaluated is only near its end: what is known of the vertex encloses that.
+  std::vector<Foot> pair_at(const Arc<2>& arc, std::size_t e, const Locus_vertex<2>& v) const
+  {
+    const Arc_point<2> last = arc.at(e == 0 ? 0.0 : 1.0);
+    std::vector<Foot> pair;
+    for (std::size_t k = 0; k < 2; ++k) {
+      Foot foot{arc.inputs()[k], arc.features()[k], {last.parameters()[k]}};
+      Range& range = foot.parameters[0];
+      const Foot* nearest = nullptr;
+      for (const Foot& f : v.feet)
+        if (f.input == foot.input && (!nearest || std::abs(f.parameters[0].lo - range.lo) < std::abs(nearest->parameters[0].lo - range.lo))) nearest = &f;
+      if (nearest && foot.feature == Feature::interior) range = {std::min(range.lo, nearest->parameters[0].lo), std::max(range.hi, nearest->parameters[0].hi)};
+      pair.push_back(std::move(foot));
+    }
+    return pair;
+  }
+
+  /// At an end of an arc about a vertex: the vertex's input where another place of that, or the curve beside the vertex, is touched;
+  /// else the other one.
+  std::optional<std::size_t> changing_input(const Locus_vertex<2>& v, const Foot& own) const
+  {
+    if (is_self_) return std::nullopt;
+    std::array<std::size_t, 2> count{};
+    for (const Foot& f : v.feet) ++count[f.input];
+    if (count[own.input] > 1) return count[1 - own.input] > 1 ? std::nullopt : std::optional(own.input);
+    return 1 - own.input;
   }
 
   /// Whether both feet of an arc about a corner run into the corner: at the centre of curvature of a piece that begins there.
@@ -287,7 +335,7 @@ private:
 
   void join()
   {
-    const std::vector<std::size_t> number = joiner_.join(data_.vertices);
+    const std::vector<std::size_t> number = joiner_.join(data_.vertices, !is_self_);
     for (Locus_vertex<2>& v : data_.vertices)
       for (Foot& f : v.feet) f.feature = feature_of_given(f.input, f.feature);
     for (Open_arc& open : arcs_) {
