@@ -1479,6 +1479,79 @@ TEST_CASE("three pairs of quadratics", "[by_hand]")
   run_by_hand("third", bezier({{0, -1}, {6, 1}, {-3, 0}}), bezier({{3, 3}, {3, 4}, {5, 3}}));
 }
 
+/// Counts of a bisector of inputs that meet, and that all samples have the same distance to both.
+void run_meeting(const std::string& name, const Named_curve& a, const Named_curve& b, std::size_t arcs, std::size_t regions, std::size_t nodes)
+{
+  INFO(name);
+  const auto result = bisector(a.curve, b.curve);
+  CHECK(result.undecided().empty());
+  CHECK(result.arcs().size() == arcs);
+  CHECK(result.regions().size() == regions);
+  std::size_t found = 0;
+  for (const auto& v : result.vertices()) found += v.kind == Vertex_kind::node;
+  CHECK(found == nodes);
+  const Dense_curve first(a.curve), second(b.curve);
+  locus_test::Samples samples;
+  for (const auto& arc : result.arcs())
+    for (const auto& p : arc.samples(9)) {
+      const Plane_point q = plane(p.point());
+      samples.expect(std::abs(first.distance_from(q) - second.distance_from(q)) <= 1e-9 * (1 + p.radius()), [&] { return show(q); });
+    }
+  LOCUS_REQUIRE_SAMPLES(samples, 9);
+}
+
+TEST_CASE("inputs that meet", "[by_hand]")
+{
+  run_meeting("a common end, right angle", segment(at(0, 0), at(1, 0)), segment(at(0, 0), at(0, 1)), 4, 1, 0);
+  run_meeting("a common end, straight on", segment(at(-1, 0), at(0, 0)), segment(at(0, 0), at(1, 0)), 1, 0, 0);
+  run_meeting("a common end of curves", named_bezier({at(-2, 1), at(-1, 0), at(0, 0)}), named_bezier({at(0, 0), at(1, 1), at(2, 0)}), 5, 1, 0);
+  run_meeting("crossing segments", segment(at(-1, -1), at(1, 1)), segment(at(-1, 1), at(1, -1)), 8, 0, 1);
+  run_meeting("curves that cross twice", named_bezier({at(-2, 1), at(0, -2), at(2, 1)}), named_bezier({at(-2, -1), at(0, 1), at(2, -1)}), 15, 0, 2);
+  run_meeting("T", segment(at(-1, 0), at(1, 0)), segment(at(0, 0), at(0, 1)), 5, 0, 1);
+  for (const long shift : {0, 1}) {
+    INFO("segments that overlap, shift " << shift);
+    CHECK_FALSE(bisector(segment(at(0, 0), at(2, 0)).curve, segment(at(shift, 0), at(shift + 2, 0)).curve).undecided().empty());
+  }
+}
+
+TEST_CASE("near ties", "[by_hand]")
+{
+  for (const unsigned long k : {20ul, 30ul, 40ul, 45ul}) {
+    Integer power = 1;
+    power <<= k;
+    const Rational e(Integer(1), power);
+    const auto run = [&](const std::string& name, const Named_curve& a, const Named_curve& b) {
+      INFO(name << ", 2^-" << k);
+      const auto result = bisector(a.curve, b.curve);
+      CHECK(result.undecided().empty());
+      std::vector<std::size_t> degree(result.vertices().size());
+      std::size_t infinite = 0, closed = 0;
+      for (const auto& arc : result.arcs()) {
+        closed += arc.is_closed();
+        for (const auto& v : {arc.source(), arc.target()})
+          if (v) ++degree[*v];
+      }
+      for (std::size_t i = 0; i < degree.size(); ++i) {
+        const bool is_infinite = result.vertices()[i].kind == Vertex_kind::infinity;
+        infinite += is_infinite;
+        CHECK(degree[i] == (is_infinite ? 1u : 2u));
+      }
+      CHECK(infinite + 2 * closed == 2);
+    };
+    run("mirror images", named_bezier({at(0, 1), at(1, 3), at(2, Rational(1, 2)), at(3, 2)}), named_bezier({at(0, -1), at(1, Rational(e - 3)), at(2, Rational(-1, 2)), at(3, -2)}));
+    run("rational mirror images", named_bezier({at(0, 1), at(1, 3), at(2, Rational(1, 2))}, {1, 2, 1}), named_bezier({at(0, -1), at(1, Rational(e - 3)), at(2, Rational(-1, 2))}, {1, 2, 1}));
+    run("parallel segments", segment(at(0, 0), at(2, 0)), segment(at(0, 1), at(2, Rational(1 + e))));
+    run("opposite segments", segment(at(0, 0), at(2, 0)), segment(at(e, 1), at(Rational(2 - e), 1)));
+    run("perpendicular segments", segment(at(-1, 0), at(1, 0)), segment(at(e, 1), at(0, 2)));
+    run("circles with nearly one centre", named_circle(at(0, 0), 1), named_circle(at(e, 0), 2));
+    run("a curve moved", named_bezier({at(0, 0), at(1, 2), at(2, -1), at(3, 1)}), named_bezier({at(0, Rational(1 + e)), at(1, 3), at(2, 0), at(3, 2)}));
+    run("sides of a square", segment(at(-1, -1), at(-1, 1)), segment(at(1, -1), at(1, Rational(1 + e))));
+    run("curves that are nearly equal", named_bezier({at(0, 0), at(1, 2), at(2, 0)}), named_bezier({at(0, Rational(1, 16)), at(1, Rational(33, 16)), at(2, Rational(Rational(1, 16) + e))}));
+    // Circles between are as small as 2^-45 there; doubles do not tell all of it.
+    if (k < 45) run("parabolas that nearly touch", named_bezier({at(-1, Rational(1 + e)), at(0, Rational(e - 1)), at(1, Rational(1 + e))}), named_bezier({at(-1, -1), at(0, 1), at(1, -1)}));
+  }
+}
+
 void run_shape(const std::string& name, const Named_curve& curve, const Expected& expected) { run_by_hand(name, std::vector<Named_curve>{curve}, expected, {}); }
 
 TEST_CASE("medial axes of simple shapes", "[by_hand]")

@@ -46,7 +46,8 @@ public:
   {
     std::vector<std::vector<std::size_t>> groups;
     for (std::vector<std::size_t>& group : groups_of_one()) {
-      if (auto pairs = in_pairs && group.size() > 2 ? paired(group) : std::nullopt) {
+      const bool is_node = std::any_of(group.begin(), group.end(), [&](std::size_t i) { return ends_[i].vertex.kind == Vertex_kind::node; });
+      if (auto pairs = in_pairs && !is_node && group.size() > 2 ? paired(group) : std::nullopt) {
         for (const auto& pair : *pairs) groups.push_back({pair[0], pair[1]});
       } else {
         groups.push_back(std::move(group));
@@ -174,6 +175,7 @@ private:
         v.error = other.error;
       }
       v.feet.insert(v.feet.end(), other.feet.begin(), other.feet.end());
+      if (other.kind == Vertex_kind::node) v.kind = other.kind;
     }
     v.feet = distinct(std::move(v.feet));
     return v;

@@ -5,6 +5,7 @@
 #include <locus/construct/arc_trimming.h>
 #include <locus/construct/locus_ends.h>
 #include <locus/construct/point_curve_bisector.h>
+#include <locus/construct/shared_arc.h>
 #include <locus/construct/untrimmed_bisector_2.h>
 #include <locus/shape/folds.h>
 
@@ -33,7 +34,8 @@ public:
   Locus_data<2> make()
   {
     for (std::size_t k = 0; k < base_.arcs.size(); ++k) trim(k);
-    for (std::size_t input = 0; input < curves_.size(); ++input) add_vertices_of(input);
+    add_vertices();
+    note_common_pieces();
     join();
     return std::move(data_);
   }
@@ -46,7 +48,7 @@ private:
     std::shared_ptr<const Arc_geometry<2>> geometry;
     std::vector<std::size_t> inputs;
     std::vector<Feature> features;
-    bool closed = false;
+    bool closed = false, is_shared = false; ///< about a point of both inputs
     std::array<std::size_t, 2> end{none, none}, vertex{none, none};
   };
 
@@ -134,7 +136,7 @@ private:
   void note_end(Open_arc& open, std::size_t e, std::size_t v)
   {
     const Locus_vertex<2>& vertex = base_.vertices[v];
-    if (vertex.kind == Vertex_kind::boundary || vertex.kind == Vertex_kind::corner) {
+    if (vertex.kind == Vertex_kind::boundary || vertex.kind == Vertex_kind::corner || (vertex.kind == Vertex_kind::node && vertex.radius == 0)) {
       std::vector<Foot> pair = vertex.feet;
       for (Foot& f : pair) f.feature = Feature::interior;
       open.end[e] = joiner_.add({vertex, {}, std::move(pair), arcs_.size(), only_input(vertex.feet, [](const Foot& f) { return f.feature != Feature::interior; })});
@@ -204,11 +206,18 @@ private:
 
   // ---------------------------------------------------------------------------------------------- ends and corners
 
-  void add_vertices_of(std::size_t input)
+  /// An end or a corner of an input.
+  struct Named_point {
+    Exact_point<2> point;
+    Foot foot;
+  };
+
+  /// Each place once, also where the curve passes it again.
+  std::vector<Named_point> vertices_of(std::size_t input) const
   {
     const Curve_2& curve = *curves_[input];
     const Chain& chain = curve.chain();
-    std::vector<Exact_point<2>> corners;
+    std::vector<Named_point> all;
     for (std::size_t i = 0; i < curve.pieces().size(); ++i)
       for (const int end : {0, 1}) {
         const Joint* joint = chain.joint_at(i, end);
@@ -218,56 +227,138 @@ private:
         if (value(piece.weight) == 0) continue;
         Exact_point<2> p;
         for (std::size_t k = 0; k < 2; ++k) p[k] = value(piece.numerator[k]) / value(piece.weight);
-        if (std::find(corners.begin(), corners.end(), p) != corners.end()) continue; // the curve passes it again
-        corners.push_back(p);
+        if (find_at(all, p) != nullptr) continue;
         const Feature feature = joint ? Feature::corner : end == 0 ? Feature::start : Feature::end;
-        add_cell(p, {input, feature, {Parameter_range(chain.pieces[i]).at(Interval(end))}});
+        all.push_back({p, {input, feature, {Parameter_range(chain.pieces[i]).at(Interval(end))}}});
       }
+    return all;
+  }
+
+  static const Named_point* find_at(const std::vector<Named_point>& all, const Exact_point<2>& p)
+  {
+    const auto at = std::find_if(all.begin(), all.end(), [&](const Named_point& v) { return v.point == p; });
+    return at == all.end() ? nullptr : &*at;
+  }
+
+  void add_vertices()
+  {
+    std::vector<std::vector<Named_point>> of_input;
+    for (std::size_t input = 0; input < curves_.size(); ++input) of_input.push_back(vertices_of(input));
+    for (std::size_t input = 0; input < curves_.size(); ++input)
+      for (const Named_point& v : of_input[input]) {
+        const Named_point* other = is_self_ ? nullptr : find_at(of_input[1 - input], v.point);
+        if (!other) add_cell(v.point, v.foot);
+        else if (input == 0) add_shared_cell(v.point, v.foot, other->foot);
+      }
+  }
+
+  /// A point that is an end or a corner of both inputs: all points to which it is the nearest one of both are equidistant. They are a
+  /// region, but where two pieces go on straight into each other: then they are on their normal line, which has been found twice.
+  void add_shared_cell(const Exact_point<2>& p, const Foot& first, const Foot& second)
+  {
+    const Seen_curve seen(curves_, p);
+    const Point_cell cell(seen.features(), options_.control);
+    Point_bisector_maker maker(seen, cell, first, {0, 1}, point_options());
+    const Locus_data<2> found = maker.make();
+    note_work(cell);
+    for (const Undecided_piece& u : found.undecided) data_.undecided.push_back(u);
+    const bool is_flat = goes_straight_on(first, second);
+    Region region;
+    for (const Arc<2>& arc : found.arcs) {
+      if (is_flat && arc.inputs()[0] == arc.inputs()[1]) continue;
+      region.arcs.push_back(arcs_.size());
+      add_found_arc(found, arc, std::nullopt);
+      Open_arc& open = arcs_.back();
+      open.geometry = std::make_shared<Fixed_feet_arc>(arc, std::vector<Range>{first.parameters[0], second.parameters[0]});
+      open.inputs = {0, 1};
+      open.features = {first.feature, second.feature};
+      for (const std::size_t v : open.vertex)
+        if (v != none) data_.vertices[v].feet = {first, second};
+    }
+    if (is_flat || found.regions.empty()) return;
+    region.reason = "the inputs share an end or a corner: all points to which it is the nearest one of both are equidistant";
+    data_.regions.push_back(std::move(region));
+  }
+
+  /// Whether two pieces that begin or end at a point of both inputs have opposite directions there.
+  bool goes_straight_on(const Foot& first, const Foot& second) const
+  {
+    std::vector<Vector_2<Rational>> directions;
+    for (const Contact_vertex& v : sites_.vertices())
+      for (const auto& at : v.places) {
+        const Contact_site& site = sites_[at.site];
+        const Range here = site.range.at(Interval(at.end)), wanted = (site.input == 0 ? first : second).parameters[0];
+        if (here.lo != wanted.lo || here.hi != wanted.hi) continue;
+        const Piece_end end(*solved_.pieces[site.input]->curves[site.piece], at.end);
+        const Rational sign = at.end == 0 ? 1 : -1;
+        directions.push_back({sign * end.tangent[0], sign * end.tangent[1]});
+      }
+    for (const auto& a : directions)
+      for (const auto& b : directions)
+        if (a.x * b.y == a.y * b.x && a.x * b.x + a.y * b.y < 0) return true;
+    return false;
+  }
+
+  Point_bisector_options point_options() const
+  {
+    Point_bisector_options options;
+    options.control = options_.control;
+    options.least_cut_radius = data_.cut_radius;
+    return options;
+  }
+
+  void note_work(const Point_cell& cell)
+  {
+    data_.statistics.cells += cell.cells();
+    data_.statistics.exact_cells += cell.algebraic_cells();
+    data_.statistics.filter += cell.filter();
   }
 
   /// Arcs of the cell of an end or a corner among all inputs.
   void add_cell(const Exact_point<2>& p, const Foot& own)
   {
-    Point_bisector_options options;
-    options.control = options_.control;
-    options.least_cut_radius = data_.cut_radius;
     const Seen_curve seen(curves_, p);
     const Point_cell cell(seen.features(is_self_ ? std::nullopt : std::optional(1 - own.input)), options_.control);
     std::vector<std::size_t> inputs;
     for (std::size_t k = 0; k < curves_.size(); ++k) inputs.push_back(k);
-    Point_bisector_maker maker(seen, cell, own, inputs, options);
+    Point_bisector_maker maker(seen, cell, own, inputs, point_options());
     Locus_data<2> found = maker.make_arcs_alone();
-    data_.statistics.cells += cell.cells();
-    data_.statistics.exact_cells += cell.algebraic_cells();
-    data_.statistics.filter += cell.filter();
+    note_work(cell);
     for (Undecided_piece& u : found.undecided) {
       u.box.push_back(own.parameters[0]);
       data_.undecided.push_back(std::move(u));
     }
-    for (const Arc<2>& arc : found.arcs) add_cell_arc(found, arc, own);
+    for (const Arc<2>& arc : found.arcs)
+      if (is_wanted(arc, own)) add_found_arc(found, arc, own);
   }
 
-  void add_cell_arc(const Locus_data<2>& found, const Arc<2>& arc, const Foot& own)
+  bool is_wanted(const Arc<2>& arc, const Foot& own) const
   {
     const std::size_t own_index = is_own(arc, own) ? 0 : 1;
-    if (!is_self_ && arc.inputs()[0] == arc.inputs()[1]) return;
+    if (!is_self_ && arc.inputs()[0] == arc.inputs()[1]) return false;
     const Arc_point<2> inside = arc.at(0.5);
     const Range &own_parameter = inside.parameters()[own_index], &other = inside.parameters()[1 - own_index];
     const bool is_vertex_pair = arc.features()[0] != Feature::interior && arc.features()[1] != Feature::interior;
-    if (is_self_ && joiner_.may_be_one_place(0, own_parameter, other)) return; // its own normals
-    if (is_vertex_pair && own_index == 1) return;                                         // the other vertex lists it
+    if (is_self_ && joiner_.may_be_one_place(0, own_parameter, other)) return false; // its own normals
+    return !(is_vertex_pair && own_index == 1);                                      // the other vertex lists it
+  }
+
+  /// An arc of a vertex's cell, of one among the inputs' other places or, without `own`, of a point of both.
+  void add_found_arc(const Locus_data<2>& found, const Arc<2>& arc, const std::optional<Foot>& own)
+  {
     Open_arc open;
     open.inputs = arc.inputs();
     open.features = arc.features();
     open.geometry = std::make_shared<Shared_arc>(arc);
     open.closed = arc.is_closed();
+    open.is_shared = !own;
     for (std::size_t e = 0; e < 2 && !open.closed; ++e) {
       const Locus_vertex<2>& v = found.vertices[e == 0 ? *arc.source() : *arc.target()];
       if (v.kind == Vertex_kind::infinity || v.kind == Vertex_kind::undecided) {
         open.vertex[e] = data_.vertices.size();
         data_.vertices.push_back(v);
       } else {
-        open.end[e] = joiner_.add({v, {}, pair_at(arc, e, v), arcs_.size(), changing_input(v, own)});
+        open.end[e] = joiner_.add({v, {}, pair_at(arc, e, v), arcs_.size(), own ? changing_input(v, *own) : std::nullopt});
         if (is_self_ && ends_in_own_foot(v)) diagonal_.push_back(open.end[e]);
       }
     }
@@ -317,19 +408,39 @@ private:
     return arc.features()[0] == own.feature && p.lo == own.parameters[0].lo && p.hi == own.parameters[0].hi;
   }
 
-  /// An arc of another locus.
-  class Shared_arc final : public Arc_geometry<2> {
-  public:
-    explicit Shared_arc(Arc<2> arc) : arc_(std::move(arc)) {}
-    Arc_point<2> at(double x) const override { return arc_.at(x); }
-    Arc_differential<2> differential(double x) const override { return arc_.differential(x); }
-    std::vector<Arc_point<2>> samples(std::size_t n) const override { return arc_.samples(n); }
-    Polyline<2> polyline(double tolerance) const override { return arc_.polyline(tolerance); }
-    Irregular_points<2> irregular() const override { return arc_.irregular(); }
+  /// Where the inputs have a piece in common all points to which that is nearest are equidistant.
+  void note_common_pieces()
+  {
+    if (is_self_) return;
+    for (const auto& d : base_.degenerate) {
+      if (d.kind != "overlap" && (d.kind != "everything" || !share_straight_part())) continue;
+      Undecided_piece u;
+      u.box = d.box;
+      u.reason = "the inputs have a piece in common: the points to which it is nearest are a region that is not found yet";
+      data_.undecided.push_back(std::move(u));
+      return;
+    }
+  }
 
-  private:
-    Arc<2> arc_;
-  };
+  /// Whether straight pieces of both inputs have more than a point in common; true also where there are none, but arcs of one circle.
+  bool share_straight_part() const
+  {
+    bool is_circle = true;
+    for (const auto& a : curves_[0]->pieces())
+      for (const auto& b : curves_[1]->pieces()) {
+        const auto x = ends_of_straight(a), y = ends_of_straight(b);
+        if (!x || !y) continue;
+        is_circle = false;
+        std::vector<Exact_point<2>> common;
+        const auto note = [&](const Exact_point<2>& p, const auto& ends) {
+          if (holds<2>(ends, p) && std::find(common.begin(), common.end(), p) == common.end()) common.push_back(p);
+        };
+        for (const auto& p : *x) note(p, *y);
+        for (const auto& p : *y) note(p, *x);
+        if (common.size() > 1) return true;
+      }
+    return is_circle;
+  }
 
   // ------------------------------------------------------------------------------------------------------- joining
 
@@ -345,9 +456,9 @@ private:
         if (open.end[e] != none) {
           ends[e] = number[open.end[e]];
           Locus_vertex<2>& v = data_.vertices[*ends[e]];
-          if (joiner_.degree(open.end[e]) > 1) v.kind = Vertex_kind::trim;
+          if (joiner_.degree(open.end[e]) > 1) v.kind = v.kind == Vertex_kind::node ? v.kind : Vertex_kind::trim;
           else if (std::find(diagonal_.begin(), diagonal_.end(), open.end[e]) != diagonal_.end()) v.kind = Vertex_kind::diagonal;
-          else if (!is_self_ || !ends_in_corner(v)) note_loose(v);
+          else if (!open.is_shared && (!is_self_ || !ends_in_corner(v))) note_loose(v);
         } else if (open.vertex[e] != none) {
           ends[e] = open.vertex[e];
         }
