@@ -2,6 +2,7 @@
 // The sign of a polynomial's minimum against its known roots; feet and nearest feet against dense sampling, formulas of the
 // paper and configurations whose answer is known.
 #include <locus/construct/nearest_feet.h>
+#include <locus/construct/nearest_input.h>
 #include <locus/shape/constructors_2.h>
 
 #include "shape_support.h"
@@ -392,6 +393,35 @@ TEST_CASE("what P_perp has in common with the weight is no foot", "[foot_form]")
   const Curve_2 cubic = monomial_curve<2>({{{0, 1}, {0, 0, 0, 1}}}, {}, {Rational(1), std::nullopt});
   REQUIRE(cubic.pieces().size() == 2u);
   CHECK(degree(foot_polynomial(cubic.pieces()[1], {3, 1})) == 5);
+}
+
+// -------------------------------------------------------------------------------------------------------------- inputs
+
+TEST_CASE("the nearest of several curves, ties exactly", "[distance]")
+{
+  using Point = std::array<Rational, 2>;
+  const std::vector<Point> points{{0, 1}, {1, 3}, {2, Rational(1, 2)}, {3, 2}};
+  std::vector<Point> mirrored = points;
+  for (Point& p : mirrored) p[1] = -p[1];
+  const Curve_2 above = bezier_curve<2>(points), below = bezier_curve<2>(mirrored);
+  for (const char* x : {"-2", "1/3", "7/5", "5"}) {
+    const Nearest_input on_axis = nearest_input(above, below, {x, 0});
+    CHECK(on_axis.is_tie());
+    for (const int sign : {1, -1})
+      for (const int e : {-1, -30, -200}) {
+        const Nearest_input beside = nearest_input(above, below, coordinates(Rational(x), Rational(sign * two_to(e))));
+        REQUIRE(beside.nearest.size() == 1u);
+        CHECK(beside.nearest[0].input == (sign > 0 ? 0u : 1u));
+        CHECK(beside.distance.lo <= beside.nearest[0].feet.distance.hi);
+      }
+  }
+  const Curve_2 third = segment_2({10, 0}, {11, 0});
+  const Nearest_input far = nearest_input({&above, &below, &third}, {20, 0});
+  REQUIRE(far.nearest.size() == 1u);
+  CHECK(far.nearest[0].input == 2u);
+  CHECK(far.distance.lo <= 9.0);
+  CHECK(far.distance.hi >= 9.0);
+  CHECK_THROWS_AS(nearest_input(std::vector<const Curve_2*>{}, {0, 0}), std::invalid_argument);
 }
 
 // --------------------------------------------------------------------------------------------------------------- feet

@@ -1561,6 +1561,33 @@ TEST_CASE("medial axes of simple shapes", "[by_hand]")
   run_shape("ellipse", {ellipse_2({0, 0}, 2, 1), "ellipse_2({0, 0}, 2, 1)"}, {1, 0});
 }
 
+TEST_CASE("the medial axis of a loop whose joints are smooth as drawn", "[by_hand]")
+{
+  // The decimals turn the tangents by 1e-11 to 3e-10.
+  const std::vector<Vector> points{at(fraction(21, 64), fraction(55, 64)),
+                                   at(fraction(-1, 64), fraction(10104166667, 10000000000)),
+                                   at(fraction(-1, 2), fraction(8645833333, 10000000000)),
+                                   at(fraction(-45, 64), fraction(5807291667, 10000000000)),
+                                   at(fraction(-29, 32), fraction(19, 64)),
+                                   at(fraction(-53, 64), fraction(-1, 8)),
+                                   at(fraction(-5911458333, 10000000000), fraction(-3854166667, 10000000000)),
+                                   at(fraction(-3541666667, 10000000000), fraction(-6458333333, 10000000000)),
+                                   at(fraction(416666667, 10000000000), fraction(-7447916667, 10000000000)),
+                                   at(fraction(3463541667, 10000000000), fraction(-6848958333, 10000000000)),
+                                   at(fraction(6510416667, 10000000000), fraction(-5, 8)),
+                                   at(fraction(8645833333, 10000000000), fraction(-13, 32)),
+                                   at(fraction(8697916667, 10000000000), fraction(-729166667, 10000000000)),
+                                   at(fraction(7, 8), fraction(2604166667, 10000000000)),
+                                   at(fraction(43, 64), fraction(7083333333, 10000000000)),
+                                   at(fraction(21, 64), fraction(55, 64))};
+  const Named_curve loop = named_loop(points);
+  Named_curve joined{with_join_tolerance(loop.curve, fraction(1, 100000000)), loop.text + " with a join tolerance of 1e-8"};
+  std::size_t tolerated = 0;
+  for (const Joint& joint : joined.curve.chain().joints) tolerated += joint.by_tolerance;
+  CHECK(tolerated == 4);
+  run_shape("loop", joined, {3, 0});
+}
+
 // Hidden: where several changes coincide in one point nothing is decided yet.
 TEST_CASE("a medial axis that is not decided yet", "[.][by_hand]")
 {

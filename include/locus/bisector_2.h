@@ -3,9 +3,10 @@
 #define LOCUS_BISECTOR_2_H
 
 /// Bisectors in the plane: constructors of curves, `untrimmed_bisector` of curves and of a point and a curve, `bisector` of two curves,
-/// of a curve with itself and of a point and a curve, distances and `nearer`.
+/// of a curve with itself and of a point and a curve, distances, `nearer` and `nearest_input`.
 
 #include <locus/construct/nearest_feet.h>
+#include <locus/construct/nearest_input.h>
 #include <locus/construct/point_curve_bisector.h>
 #include <locus/construct/point_curve_map.h>
 #include <locus/construct/true_bisector_2.h>

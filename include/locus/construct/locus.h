@@ -220,7 +220,7 @@ struct Locus_segment {
   bool active = false;
 };
 
-/// The boundary of a convex cell: its arcs counterclockwise, of which those listed as `reversed` run clockwise themselves.
+/// The boundary of a cell, a point's convex one or one of two curves': its arcs counterclockwise, of which those listed as `reversed` run clockwise themselves.
 struct Cell_outline {
   std::size_t input = 0; ///< the input that is nearest inside
   std::vector<std::size_t> arcs;

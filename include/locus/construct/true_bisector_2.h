@@ -6,8 +6,10 @@
 #include <locus/construct/locus_ends.h>
 #include <locus/construct/point_curve_bisector.h>
 #include <locus/construct/shared_arc.h>
+#include <locus/construct/two_cells.h>
 #include <locus/construct/untrimmed_bisector_2.h>
 #include <locus/shape/folds.h>
+#include <locus/shape/snapped_joints.h>
 
 namespace locus {
 namespace detail {
@@ -16,7 +18,7 @@ namespace detail {
 class True_bisector_maker {
 public:
   True_bisector_maker(const std::vector<const Curve_2*>& given, const Bisector_options& options)
-    : inputs_(without_folds_all(given)), curves_(addresses(inputs_)), options_(options), is_self_(curves_.size() == 1),
+    : inputs_(prepared(given)), curves_(addresses(inputs_)), options_(options), is_self_(curves_.size() == 1),
       solved_(solved_inputs(*curves_[0], is_self_ ? nullptr : curves_[1], options)), base_(untrimmed_data(solved_)), joiner_(seams())
   {
     data_ = base_;
@@ -37,6 +39,7 @@ public:
     add_vertices();
     note_common_pieces();
     join();
+    if (!is_self_) data_.outline = Two_cells(data_, curves_).outline();
     return std::move(data_);
   }
 
@@ -52,10 +55,10 @@ private:
     std::array<std::size_t, 2> end{none, none}, vertex{none, none};
   };
 
-  static std::vector<Curve_2> without_folds_all(const std::vector<const Curve_2*>& given)
+  static std::vector<Curve_2> prepared(const std::vector<const Curve_2*>& given)
   {
     std::vector<Curve_2> all;
-    for (const Curve_2* c : given) all.push_back(without_folds(*c));
+    for (const Curve_2* c : given) all.push_back(without_folds(with_snapped_joints(*c)));
     return all;
   }
   static std::vector<const Curve_2*> addresses(const std::vector<Curve_2>& curves)

@@ -74,15 +74,15 @@ private:
     return {at_target ? points.back() : points.front(), scene_.locus.vertices()[*vertex].direction};
   }
 
-  /// Far from the picture, counterclockwise; a convex set's directions to infinity span at most half a turn.
+  /// Far from the picture, counterclockwise. A cell's directions to infinity hardly span all of a turn.
   void go_round(const Ray& out, const Ray& in)
   {
     constexpr double pi = 3.14159265358979323846;
-    constexpr int steps = 6;
+    constexpr int steps = 24;
     const auto angle = [](const Ray& r) { return std::atan2((*r.direction)[1], (*r.direction)[0]); };
     double turn = angle(in) - angle(out);
     if (turn < 0) turn += 2 * pi;
-    if (turn > 1.5 * pi) turn = 0; // the same direction, but for rounding
+    if (turn > 2 * pi - 1e-6) turn = 0; // the same direction, but for rounding
     for (int i = 0; i <= steps; ++i) {
       const double at = angle(out) + turn * i / steps, share = static_cast<double>(i) / steps;
       const Picture_point from{out.start.x + share * (in.start.x - out.start.x), out.start.y + share * (in.start.y - out.start.y)};

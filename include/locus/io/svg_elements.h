@@ -105,6 +105,7 @@ inline constexpr const char* empty_cell = "#f4f5f7";
 inline constexpr const char* graph_cell = "#dfeaf6";
 inline constexpr const char* crossing_cell = "#ffd9a8";
 inline constexpr const char* point_cell = "#f7ebf1";
+inline constexpr std::array<const char*, 2> input_cell{"#e6edf5", "#f7ebf1"};
 inline constexpr const char* untrimmed = "#d18e74";
 inline constexpr const char* undecided_hatch = "url(#hatch)";
 inline constexpr const char* degenerate_hatch = "url(#degenerate-hatch)";

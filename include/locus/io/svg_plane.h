@@ -62,6 +62,7 @@ public:
     out_ << "<g clip-path=\"url(#clip-" << panel_.name() << ")\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
     Point_drawing point(out_, scene_, panel_);
     if (scene_.has_point) point.write_cell();
+    else write_two_cells();
     for (const Asymptote<2>& asymptote : scene_.asymptotes()) write_asymptote(asymptote);
     if (scene_.has_point) point.write_behind();
     else if (scene_.foot_curve(1)) write_feet();
@@ -78,6 +79,18 @@ public:
 
 private:
   static const char* input_colour(std::size_t k) { return picture::input[k % 2]; }
+
+  /// The points that are nearer to either curve, in the curves' own tints.
+  void write_two_cells()
+  {
+    const auto& outline = scene_.locus.outline();
+    if (!outline) return;
+    Picture_box near = panel_.box();
+    near.grow(0.05 * near.size());
+    const auto fill = [](std::size_t input) { return std::string("fill=\"") + picture::input_cell[input] + "\""; };
+    svg_rectangle(out_, {panel_.left(), panel_.top()}, panel_.width(), panel_.height(), fill(1 - outline->input));
+    svg_path(out_, panel_.polygon(Cell_polygon(scene_, near).points()), fill(outline->input));
+  }
 
   void write_asymptote(const Asymptote<2>& asymptote)
   {

@@ -71,6 +71,23 @@ public:
     return state_->hi < x ? -1 : 1;
   }
 
+  /// The same for another number; always decided: a common root of both polynomials where both numbers are is both.
+  int compare(const Algebraic_number& other) const
+  {
+    if (state_ == other.state_) return 0;
+    const Integer_polynomial common = gcd(polynomial(), other.polynomial());
+    for (bool is_first = true;; is_first = false) {
+      const Enclosure a = enclosure(), b = other.enclosure();
+      if (a.second < b.first) return -1;
+      if (b.second < a.first) return 1;
+      if (a.first == a.second) return -other.compare(a.first);
+      if (b.first == b.second) return compare(b.first);
+      if (is_first && degree(common) > 0 && has_root(common, std::max(a.first, b.first), std::min(a.second, b.second))) return 0;
+      enclosure((a.second - a.first) / 4);
+      other.enclosure((b.second - b.first) / 4);
+    }
+  }
+
   double to_double() const
   {
     const Enclosure e = enclosure(Rational(1, Integer(1) << 80));
@@ -83,6 +100,12 @@ private:
     std::mutex mutex;
     Rational lo, hi;
   };
+
+  static bool has_root(const Integer_polynomial& f, const Rational& lo, const Rational& hi)
+  {
+    if (lo == hi) return evaluate_at(bernstein_form(f).rational(), lo) == 0;
+    return !exact_roots(restrict_to(bernstein_form(f), 0, lo, hi), Rational(0), Rational(1)).roots.empty();
+  }
 
   Sign sign_of_polynomial(const Rational& x) const
   {
