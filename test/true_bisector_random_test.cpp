@@ -1401,7 +1401,7 @@ TEST_CASE("random pairs of disjoint curves: a dense search", "[true_bisector]")
   const std::size_t from = number_from("LOCUS_TRUE_BISECTOR_FROM", 0), count = number_from("LOCUS_TRUE_BISECTOR_COUNT", 300);
   Report report;
   for (std::size_t number = from; number < from + count; ++number) run_job(report, random_pair(number), "pair " + std::to_string(number));
-  conclude(report, 12 + count / 25);
+  conclude(report, 7 + count / 40);
 }
 
 TEST_CASE("random pairs of disjoint Bezier curves: a dense search", "[true_bisector]")

@@ -500,8 +500,9 @@ private:
   }
 
   /// An end that nothing continues.
-  void note_loose(const Locus_vertex<2>& v)
+  void note_loose(Locus_vertex<2>& v)
   {
+    v.kind = Vertex_kind::undecided;
     Undecided_piece u;
     for (const Foot& f : v.feet)
       if (!f.parameters.empty()) u.box.push_back(f.parameters[0]);
