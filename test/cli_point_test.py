@@ -141,6 +141,22 @@ def random_job(rng):
     return json.dumps({"compute": "bisector", "inputs": inputs, "options": {"trimmed": rng.random() < 0.8, "tolerance": 1e-4}})
 
 
+def check_two_points():
+    p, q = (0, 0), (2, 1 / 3)
+    job = {"compute": "bisector", "inputs": [{"point": list(p)}, {"point": [2, "1/3"]}]}
+    run_of_two = run(["-"], json.dumps(job).encode())
+    check(run_of_two.returncode == 0, "two points are answered")
+    result = json.loads(run_of_two.stdout)
+    check(result["status"] == "certified" and len(result["arcs"]) == 1 and len(result["vertices"]) == 2, "of two points one line")
+    for s in result["arcs"][0]["samples"]:
+        x, y = s["point"]
+        apart = [math.hypot(x - a, y - b) for a, b in (p, q)]
+        check(max(abs(d - s["radius"]) for d in apart) <= 1e-12 * (1 + s["radius"]), f"{s} is as far from both points")
+    job["inputs"][1] = job["inputs"][0]
+    result = json.loads(run(["-"], json.dumps(job).encode()).stdout)
+    check(not result["arcs"] and len(result["regions"]) == 1, "equal points have the plane as a region")
+
+
 def main():
     if not os.access(PROGRAM, os.X_OK):
         print(f"{PROGRAM} is not there: build the target locus_cli first")
@@ -155,8 +171,7 @@ def main():
         text = random_job(rng)
         if run(["-"], text.encode()).returncode != 2:  # a single point
             check_job(f"random job {i}: {text}", text)
-    text = json.dumps({"compute": "bisector", "inputs": [{"point": [0, 0]}, {"point": [1, 0]}]})
-    check(run(["-"], text.encode()).returncode == 4, "two points in the plane are for a later version")
+    check_two_points()
     return cli_test.report()
 
 

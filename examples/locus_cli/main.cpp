@@ -169,12 +169,13 @@ int planar_bisector(const Settings& settings, const locus::Job& job, const std::
   return exit_of(status);
 }
 
-/// Of a point and a curve.
-locus::Locus<2> point_curve_bisector(const locus::Job& job, const locus::Solve_control& control)
+/// Of a point and a curve, or of two points.
+locus::Locus<2> point_bisector(const locus::Job& job, const locus::Solve_control& control)
 {
+  const auto at = [&](std::size_t i) { return locus::Coordinates_2{(*job.inputs[i].point)[0], (*job.inputs[i].point)[1]}; };
   const bool point_first = job.inputs[0].kind == locus::Job_input::Kind::point;
-  const std::vector<locus::Rational>& p = *job.inputs[point_first ? 0 : 1].point;
-  const locus::Coordinates_2 point{p[0], p[1]};
+  if (point_first && job.inputs[1].kind == locus::Job_input::Kind::point) return locus::bisector(at(0), at(1));
+  const locus::Coordinates_2 point = at(point_first ? 0 : 1);
   const locus::Curve_2& curve = *job.inputs[point_first ? 1 : 0].curve;
   if (!job.options.trimmed) return point_first ? locus::untrimmed_bisector(point, curve) : locus::untrimmed_bisector(curve, point);
   locus::Point_bisector_options options;
@@ -188,7 +189,7 @@ int planar_point_bisector(const Settings& settings, const locus::Job& job, doubl
 {
   refuse_outputs(settings, true, false, false);
   Watched_run watched(settings);
-  const locus::Locus<2> result = point_curve_bisector(job, watched.control);
+  const locus::Locus<2> result = point_bisector(job, watched.control);
   watched.done();
   std::vector<locus::Curve_2> curves;
   std::vector<locus::Exact_point<2>> points;

@@ -171,7 +171,6 @@ inline void require_supported_in_plane(const Job& job)
 {
   const auto is_point = [](const Job_input& input) { return input.kind == Job_input::Kind::point; };
   const auto points = std::count_if(job.inputs.begin(), job.inputs.end(), is_point);
-  if (points == 2) refuse(job.inputs[1].place, "bisectors of two points in the plane");
   if (points == 0 && job.options.beyond_ends) refuse("options.beyond_ends", "bisectors of curves that are continued beyond their ends");
 }
 
@@ -194,7 +193,7 @@ inline void require_supported_in_space(const Job& job)
 } // namespace detail
 
 /// Throws Unsupported_feature, naming where and what, if the job asks for something that this version does not have.
-/// What it has: in the plane bisectors of a point and a curve and of one or two curves, trimmed or not; in space
+/// What it has: in the plane bisectors of one or two curves and of a point with a curve or a point, trimmed or not; in space
 /// untrimmed ones of a point with anything or of two curves, and of two points, where that is the same; curvature and evolute of
 /// a curve, planar or not.
 inline void require_supported(const Job& job)

@@ -54,7 +54,7 @@ private:
   {
     if (is_evolute()) return scene_.marks.empty() ? "Evolute of a curve" : "Curvature of a curve, with its evolute";
     const std::string name = (locus_.is_trimmed() ? "True " : "Untrimmed ") + locus_.compute();
-    if (scene_.has_point) return name + " of a point and a curve";
+    if (scene_.has_point) return name + (scene_.curves.empty() ? " of two points" : " of a point and a curve");
     if (scene_.is_self) return name + " of a curve with itself";
     return name + (scene_.curves.size() == 2 ? " of two curves" : "");
   }

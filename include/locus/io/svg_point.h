@@ -55,12 +55,13 @@ public:
 
   void write_points()
   {
-    for (const Picture_point& p : scene_.points) {
+    for (std::size_t k = 0; k < scene_.points.size(); ++k) {
+      const Picture_point& p = scene_.points[k];
       if (!panel_.box().contains(p)) continue;
       const Picture_point at = panel_.at(p);
       svg_input_point(out_, at);
       const Picture_point label = label_place(at);
-      svg_text(out_, {label.x, label.y + 4.5}, "p", label_style(picture::input[1], "middle") + " font-style=\"italic\"");
+      svg_text(out_, {label.x, label.y + 4.5}, k == 0 ? "p" : "q", label_style(picture::input[1], "middle") + " font-style=\"italic\"");
     }
   }
 

@@ -174,6 +174,7 @@ private:
   static Arc_look look_of(const Arc<2>& arc, const std::vector<Arc_point<2>>& samples)
   {
     if (has_feature(arc, {Feature::start, Feature::end, Feature::corner})) return Arc_look::at_end;
+    if (samples.empty() || samples[0].parameters().empty()) return Arc_look::plain; // of two points
     const bool stands_still = std::all_of(samples.begin(), samples.end(), [&](const Arc_point<2>& p) {
       return p.parameters()[0].lo == samples[0].parameters()[0].lo && p.parameters()[0].hi == samples[0].parameters()[0].hi;
     });
