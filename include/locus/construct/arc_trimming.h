@@ -104,7 +104,9 @@ private:
 
   void add_unknown(double lo, double hi, Arc_event event, Sign side)
   {
-    ++unknown_;
+    const std::vector<Section>& before = found_->empty() ? sections_ : *found_;
+    const bool goes_on = is_strict(side) && !before.empty() && before.back().answer == Answer::unknown && before.back().side == side;
+    if (!goes_on) ++unknown_; // one change that errors hide may take many parts
     found_->push_back({step_, lo, hi, Answer::unknown, std::move(event), side});
   }
 
