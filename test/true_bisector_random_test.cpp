@@ -2,6 +2,7 @@
 // True bisectors of random pairs of disjoint curves, and of random closed curves with themselves, against a dense search in
 // doubles that shares no code with the library.
 #include <locus/bisector_2.h>
+#include <locus/number/zero_of_roots.h>
 
 #include "support.h"
 
@@ -1588,9 +1589,34 @@ TEST_CASE("the medial axis of a loop whose joints are smooth as drawn", "[by_han
   run_shape("loop", joined, {3, 0});
 }
 
-// Hidden: where several changes coincide in one point nothing is decided yet.
-TEST_CASE("a medial axis that is not decided yet", "[.][by_hand]")
+TEST_CASE("medial axes of polygons with several changes in one point", "[by_hand]")
 {
+  run_shape("square", named_polyline({at(0, 0), at(1, 0), at(1, 1), at(0, 1)}, true), {4, 0});
+  run_shape("square on a corner", named_polyline({at(0, -1), at(1, 0), at(0, 1), at(-1, 0)}, true), {4, 0});
   // Inside 5 arcs to convex corners, 2 between edges, 2 parabolas about the reflex corner; outside 3 from that corner to infinity.
   run_shape("L", named_polyline({at(0, 0), at(3, 0), at(3, 1), at(1, 1), at(1, 4), at(0, 4)}, true), {12, 1});
+  for (const unsigned long k : {20ul, 30ul, 40ul, 48ul}) {
+    Integer power = 1;
+    power <<= k;
+    const auto result = bisector(named_polyline({at(0, 0), at(1, 0), at(1, Rational(1 + Rational(Integer(1), power))), at(0, 1)}, true).curve);
+    INFO("a square with a corner moved by 2^-" << k);
+    if (k < 40) CHECK(result.undecided().empty());
+    if (result.undecided().empty()) CHECK(result.arcs().size() == 5); // two vertices inside, however close
+  }
+}
+
+TEST_CASE("sums of four square roots that are zero", "[by_hand]")
+{
+  const auto root = [](const Rational& f, const Rational& q) { return Signed_root(f, q); };
+  CHECK(is_zero_sum({root(1, 2), root(1, 3), root(-1, 2), root(-1, 3)}));
+  CHECK(is_zero_sum({root(1, 2), root(1, 8), root(-1, 18), root(0, 5)}));
+  CHECK(is_zero_sum({root(1, 2), root(-1, 18), root(2, 2), root(7, 0)}));
+  CHECK(is_zero_sum({root(3, 1), root(-1, 4), root(-1, 1), root(1, 0)}));
+  CHECK(is_zero_sum({root(1, 2), root(Rational(-1, 2), 12), root(1, 3), root(-1, 2)}));
+  CHECK_FALSE(is_zero_sum({root(1, 2), root(1, 3), root(1, 2), root(1, 3)}));
+  CHECK_FALSE(is_zero_sum({root(1, 2), root(1, 3), root(-1, 5), root(-1, Rational(0))}));
+  CHECK_FALSE(is_zero_sum({root(1, 2), root(-1, 3), root(1, 2), root(-1, 3)}));
+  Integer power = 1;
+  power <<= 300;
+  CHECK_FALSE(is_zero_sum({root(1, 2), root(1, 3), root(-1, 2), root(-1, Rational(3 + Rational(Integer(1), power)))}));
 }

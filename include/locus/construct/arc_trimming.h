@@ -3,8 +3,10 @@
 #define LOCUS_CONSTRUCT_ARC_TRIMMING_H
 
 #include <locus/construct/arc_circles.h>
+#include <locus/number/zero_of_roots.h>
 
-#include <map>
+#include <set>
+
 
 namespace locus {
 namespace detail {
@@ -223,6 +225,12 @@ private:
         Arc_event event = std::move(*sections_[i].event);
         for (std::size_t k = i + 1; k < end; ++k) widen(event, *sections_[k].event);
         settled.back().event = std::move(event);
+      } else if (has_answers && settled.back().answer == Answer::nonempty && sections_[end].answer == Answer::nonempty && is_tie_of_lines(i, end)) {
+        for (std::size_t k = i; k < end; ++k) {
+          sections_[k].answer = Answer::nonempty;
+          sections_[k].event.reset();
+          settled.push_back(std::move(sections_[k]));
+        }
       } else {
         for (std::size_t k = i; k < end; ++k) {
           undecided_.push_back(sections_[k].event->parameters);
@@ -234,6 +242,47 @@ private:
     }
     sections_ = std::move(settled);
     drop_crumbs();
+  }
+
+  /// Whether unknown sections between nonempty ones are a place where circles touch two straight pieces besides two as feet, all four
+  /// at once, exactly: one contact ends there where the other begins, so that one circle is empty and no arc.
+  bool is_tie_of_lines(std::size_t first, std::size_t end) const
+  {
+    std::set<std::size_t> touched;
+    for (std::size_t k = first; k < end; ++k) {
+      const Arc_event& event = *sections_[k].event;
+      if (!event.contacts.vertices.empty()) return false;
+      for (const Contact_foot& f : event.feet) touched.insert(f.site);
+      for (const Contact_leaf& l : event.contacts.leaves)
+        if (l.state == Contact_leaf::State::open || l.state == Contact_leaf::State::rising || l.state == Contact_leaf::State::falling) touched.insert(l.site);
+    }
+    if (touched.size() != 4) return false;
+    const Vector_2<Interval>& q = sections_[first].event->place.point;
+    std::array<std::array<Rational, 3>, 4> line;
+    std::array<int, 4> side{};
+    std::size_t i = 0;
+    for (const std::size_t site : touched) {
+      line[i] = sites_[site].line;
+      const Sign s = sites_[site].is_line ? sign_of(enclosing(line[i][0]) * q.x + enclosing(line[i][1]) * q.y + enclosing(line[i][2])) : Sign::unknown;
+      if (!is_strict(s)) return false;
+      side[i++] = s == Sign::positive ? 1 : -1;
+    }
+    return have_common_circle(line, side);
+  }
+
+  /// Lines ax + by + c = 0 with their sides have a common touching circle: x, y, 1 and -r solve ax + by + c - r·side·√(a² + b²) = 0.
+  static bool have_common_circle(const std::array<std::array<Rational, 3>, 4>& line, const std::array<int, 4>& side)
+  {
+    std::array<Signed_root, 4> terms; // of the determinant, by its last column
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::array<const std::array<Rational, 3>*, 3> m{};
+      for (std::size_t k = 0, j = 0; k < 4; ++k)
+        if (k != i) m[j++] = &line[k];
+      const auto &a = *m[0], &b = *m[1], &c = *m[2];
+      const Rational minor = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+      terms[i] = Signed_root((i % 2 ? 1 : -1) * side[i] * minor, line[i][0] * line[i][0] + line[i][1] * line[i][1]);
+    }
+    return is_zero_sum(terms);
   }
 
   /// What is shorter than can be told from its ends, between parts that are not decided, is not decided either.

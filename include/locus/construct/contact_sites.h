@@ -19,6 +19,7 @@ struct Contact_site {
   std::array<std::size_t, 2> vertex;      ///< at its ends: an end or a corner of the input, none where it goes on smoothly or is infinite
   std::array<std::size_t, 2> smooth_next; ///< the site that goes on smoothly behind an end, if one does
   bool is_line = false;
+  std::array<Rational, 3> line{}; ///< of a straight piece: a, b, c with ax + by + c = 0
   bool is_polynomial = true; ///< of constant weight
 };
 
@@ -44,7 +45,7 @@ public:
     first_.push_back(first);
     for (std::size_t i = 0; i < n; ++i) {
       const Planar_curve& c = *pieces.curves[i];
-      sites_.push_back({first_.size() - 1, i, Contact_tree(pieces.curves[i]), pieces.evaluator(i), pieces.ranges[i], {none, none}, {none, none}, c.is_line(), c.weight().degree() == 0});
+      sites_.push_back({first_.size() - 1, i, Contact_tree(pieces.curves[i]), pieces.evaluator(i), pieces.ranges[i], {none, none}, {none, none}, c.is_line(), line_of(c), c.weight().degree() == 0});
     }
     for (std::size_t i = 0; i < n; ++i)
       for (int end = 0; end < 2; ++end) {
@@ -63,6 +64,15 @@ public:
   const std::vector<Contact_vertex>& vertices() const { return vertices_; }
 
 private:
+  static std::array<Rational, 3> line_of(const Planar_curve& c)
+  {
+    if (!c.is_line()) return {};
+    const auto &x = c.numerator(0), &y = c.numerator(1), &w = c.weight();
+    // Through two homogeneous points: a straight piece has different control points at its ends, or it would turn back.
+    const auto last = [](const Bernstein<Rational, 1>& f) { return f[f.size() - 1]; };
+    return {y[0] * last(w) - last(y) * w[0], last(x) * w[0] - x[0] * last(w), x[0] * last(y) - last(x) * y[0]};
+  }
+
   std::size_t add_vertex(const Planar_curve& c, const Contact_vertex::Place& place)
   {
     const auto value = [&](const Bernstein<Rational, 1>& f) { return f[place.end == 0 ? 0 : f.size() - 1]; };
