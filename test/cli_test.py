@@ -236,7 +236,6 @@ INVALID = [
 
 # name, text, words
 MISSING = [
-    ("two points", job((("inputs",), [{"point": [0, 0]}, {"point": [1, 1]}])), ["inputs[1]", "point"]),
     ("one curve in space", job((("inputs",), [SPACE])), ["inputs[0]", "self-bisector", "space"]),
     ("one curve in space, trimmed", job((("inputs",), [SPACE]), (("options",),)), ["inputs[0]", "self-bisector", "space"]),
     ("curves in space, trimmed", job((("inputs",), [SPACE, SPACE]), (("options", "trimmed"), True)), ["options.trimmed"]),
