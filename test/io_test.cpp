@@ -113,7 +113,7 @@ TEST_CASE("a job's members")
   CHECK(defaults.inputs[0].kind == Job_input::Kind::point);
   CHECK(defaults.inputs[1].missing.empty());
   CHECK(defaults.inputs[1].point == std::vector<Rational>{Rational(1, 3), 2});
-  CHECK_THROWS_AS(require_supported(defaults), Unsupported_feature);
+  CHECK_NOTHROW(require_supported(defaults));
   CHECK(read_job(R"({"compute": "alpha_sector", "alpha": "1/3", "inputs": [{"point": [0, 1]}, {"point": [1, 2]}]})")
           .alpha == Rational(1, 3));
 

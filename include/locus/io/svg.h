@@ -54,12 +54,20 @@ private:
   {
     if (is_evolute()) return scene_.marks.empty() ? "Evolute of a curve" : "Curvature of a curve, with its evolute";
     const std::string name = (locus_.is_trimmed() ? "True " : "Untrimmed ") + locus_.compute();
-    if (scene_.has_point) return name + (scene_.curves.empty() ? " of two points" : " of a point and a curve");
+    if (scene_.has_point) return name + (is_of_two_points() ? " of two points" : " of a point and a curve");
     if (scene_.is_self) return name + " of a curve with itself";
     return name + (scene_.curves.size() == 2 ? " of two curves" : "");
   }
 
   bool is_evolute() const { return locus_.compute() == "evolute"; }
+
+  bool is_of_two_points() const
+  {
+    const auto is_point = [](Feature f) { return f == Feature::point; };
+    return scene_.points.size() > 1 || std::any_of(locus_.arcs().begin(), locus_.arcs().end(), [&](const Arc<2>& a) {
+             return std::all_of(a.features().begin(), a.features().end(), is_point);
+           });
+  }
 
   static std::string counted(std::size_t n, const std::string& noun)
   {
