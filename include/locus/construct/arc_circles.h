@@ -61,10 +61,7 @@ public:
   Arc_circles over(const Place& a, const Place& b, const std::optional<Place>& middle) const
   {
     const auto pivot = static_cast<std::size_t>(evaluator_->pivot());
-    const auto jet = evaluator_->jet_over(a.base, b.base, a.at[pivot], b.at[pivot]);
-    std::array<Interval, 2> box;
-    box[1 - pivot] = Interval(a.base, b.base);
-    box[pivot] = jet ? jet->value : evaluator_->range_over(a.base, b.base, a.at[pivot], b.at[pivot]);
+    const auto [box, jet] = box_over(a, b);
     Arc_circles result = circles(steps_.place_on(stretch_, box));
     result.is_loose = !jet || width(box[pivot]) > 2 * width(hull(a.at[pivot], b.at[pivot]));
     if (!jet || !middle) return result;
@@ -107,15 +104,25 @@ public:
 
   Placed placed_over(const Place& a, const Place& b) const
   {
-    const auto pivot = static_cast<std::size_t>(evaluator_->pivot());
-    const auto jet = evaluator_->jet_over(a.base, b.base, a.at[pivot], b.at[pivot]);
-    std::array<Interval, 2> box;
-    box[1 - pivot] = Interval(a.base, b.base);
-    box[pivot] = jet ? jet->value : evaluator_->range_over(a.base, b.base, a.at[pivot], b.at[pivot]);
-    return steps_.place_on(stretch_, box);
+    return steps_.place_on(stretch_, box_over(a, b).at);
   }
 
 private:
+  /// The chart's coordinates over all from one place to another, and the pivot's derivatives where they are bounded.
+  struct Box {
+    std::array<Interval, 2> at;
+    std::optional<Dependent_jet> jet;
+  };
+
+  Box box_over(const Place& a, const Place& b) const
+  {
+    const auto pivot = static_cast<std::size_t>(evaluator_->pivot());
+    Box box{{}, evaluator_->jet_over(a.base, b.base, a.at[pivot], b.at[pivot])};
+    box.at[1 - pivot] = Interval(a.base, b.base);
+    box.at[pivot] = box.jet ? box.jet->value : evaluator_->range_over(a.base, b.base, a.at[pivot], b.at[pivot]);
+    return box;
+  }
+
   Placed placed_over_half_branch() const { return steps_.over_half_branch(stretch_, steps_.place_vertex(stretch_, stretch_.piece->from)); }
 
   /// Circles about points farther than this multiple of the inputs' diameter are given by curvature and normal.

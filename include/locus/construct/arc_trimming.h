@@ -7,7 +7,6 @@
 
 #include <set>
 
-
 namespace locus {
 namespace detail {
 
@@ -215,25 +214,17 @@ private:
       for (; end < sections_.size() && sections_[end].answer == Answer::unknown; ++end)
         is_one_sided = is_one_sided && is_strict(sections_[end].side) && sections_[end].side == sections_[i].side;
       const bool has_answers = i > 0 && end < sections_.size();
-      if (is_one_sided && has_answers && settled.back().answer == sections_[end].answer) {
-        for (std::size_t k = i; k < end; ++k) {
-          sections_[k].answer = settled.back().answer;
-          sections_[k].event.reset();
-          settled.push_back(std::move(sections_[k]));
-        }
-      } else if (is_one_sided && has_answers) {
+      const bool is_settled = has_answers && settled.back().answer == sections_[end].answer &&
+                              (is_one_sided || (settled.back().answer == Answer::nonempty && is_tie_of_lines(i, end)));
+      if (is_one_sided && has_answers && !is_settled) {
         Arc_event event = std::move(*sections_[i].event);
         for (std::size_t k = i + 1; k < end; ++k) widen(event, *sections_[k].event);
         settled.back().event = std::move(event);
-      } else if (has_answers && settled.back().answer == Answer::nonempty && sections_[end].answer == Answer::nonempty && is_tie_of_lines(i, end)) {
-        for (std::size_t k = i; k < end; ++k) {
-          sections_[k].answer = Answer::nonempty;
-          sections_[k].event.reset();
-          settled.push_back(std::move(sections_[k]));
-        }
       } else {
+        const Answer answer = is_settled ? settled.back().answer : Answer::unknown;
         for (std::size_t k = i; k < end; ++k) {
-          undecided_.push_back(sections_[k].event->parameters);
+          if (!is_settled) undecided_.push_back(sections_[k].event->parameters);
+          sections_[k].answer = answer;
           sections_[k].event.reset();
           settled.push_back(std::move(sections_[k]));
         }
@@ -254,7 +245,7 @@ private:
       if (!event.contacts.vertices.empty()) return false;
       for (const Contact_foot& f : event.feet) touched.insert(f.site);
       for (const Contact_leaf& l : event.contacts.leaves)
-        if (l.state == Contact_leaf::State::open || l.state == Contact_leaf::State::rising || l.state == Contact_leaf::State::falling) touched.insert(l.site);
+        if (l.is_open() || l.is_monotone()) touched.insert(l.site);
     }
     if (touched.size() != 4) return false;
     const Vector_2<Interval>& q = sections_[first].event->place.point;

@@ -25,6 +25,9 @@ struct Contact_leaf {
   };
   std::size_t site = 0, node = 0;
   State state = State::open;
+
+  bool is_open() const { return state == State::open; }
+  bool is_monotone() const { return state == State::rising || state == State::falling; }
 };
 
 /// What may be touched besides the feet.
@@ -34,13 +37,12 @@ struct Contact_list {
 
   bool has_open() const
   {
-    return !vertices.empty() || std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == Contact_leaf::State::open; });
+    return !vertices.empty() || std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.is_open(); });
   }
   /// Whether one circle must tell for all.
   bool has_pending() const
   {
-    using State = Contact_leaf::State;
-    return std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.state == State::rising || l.state == State::falling; });
+    return std::any_of(leaves.begin(), leaves.end(), [](const Contact_leaf& l) { return l.is_monotone(); });
   }
 };
 
@@ -492,11 +494,10 @@ private:
   bool drop_outside()
   {
     auto& leaves = left_.leaves;
-    const auto is_monotone = [](const Contact_leaf& l) { return l.state == State::rising || l.state == State::falling; };
     if (outside_.size() != leaves.size()) outside_.assign(leaves.size(), 0);
     bool any = false;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-      if (!is_monotone(leaves[i]) || outside_[i]) continue;
+      if (!leaves[i].is_monotone() || outside_[i]) continue;
       const auto begins_at = [&](std::size_t k) {
         if (leaves[k].state != State::convex && leaves[k].state != State::quartic && !outside_[k]) return false;
         const bool is_rising = leaves[i].state == State::rising;
@@ -506,10 +507,7 @@ private:
         if (k != i && begins_at(k)) outside_[i] = any = true;
     }
     if (any) return true;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < leaves.size(); ++i)
-      if (!outside_[i]) leaves[kept++] = leaves[i];
-    leaves.resize(kept);
+    drop(outside_);
     outside_.clear();
     return false;
   }
