@@ -173,6 +173,7 @@ public:
 
   /// The point at x from 0 (source) to 1 (target); the parametrisation is continuous, otherwise unspecified.
   /// At an infinite end the nearest finite point just before it is given.
+  const std::shared_ptr<const Arc_geometry<Dim>>& geometry() const { return geometry_; }
   Arc_point<Dim> at(double x) const { return geometry_->at(x); }
   Arc_differential<Dim> differential(double x) const { return geometry_->differential(x); }
   /// `n` ≥ 2 points from end to end, each parameter enclosed to at least 1e-12 of the domain where doubles allow it.

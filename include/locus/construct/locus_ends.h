@@ -2,8 +2,7 @@
 #ifndef LOCUS_CONSTRUCT_LOCUS_ENDS_H
 #define LOCUS_CONSTRUCT_LOCUS_ENDS_H
 
-#include <locus/construct/locus.h>
-#include <locus/function/domain.h>
+#include <locus/construct/parameter_range.h>
 
 #include <functional>
 #include <map>
@@ -23,13 +22,7 @@ struct Arc_end {
 /// Joins ends of arcs that were found apart: an end is known by its feet.
 class End_joiner {
 public:
-  /// The parameters at which an input is closed, if it is.
-  struct Seam {
-    bool is_closed = false;
-    Range first, last;
-  };
-
-  explicit End_joiner(std::vector<Seam> seams) : seams_(std::move(seams)) {}
+  explicit End_joiner(std::vector<Parameter_seam> seams) : seams_(std::move(seams)) {}
 
   /// Returns the end's number.
   std::size_t add(Arc_end end)
@@ -71,9 +64,7 @@ public:
   /// Whether two ranges of an input's parameter have a place in common.
   bool may_be_one_place(std::size_t input, const Range& x, const Range& y) const
   {
-    if (overlap(x, y)) return true;
-    const Seam& seam = seams_[input];
-    return seam.is_closed && ((overlap(x, seam.first) && overlap(y, seam.last)) || (overlap(x, seam.last) && overlap(y, seam.first)));
+    return seams_[input].may_be_one_place(x, y);
   }
 
   /// Feet at one place are one; what is known best of it remains.
@@ -90,8 +81,6 @@ public:
   }
 
 private:
-  static bool overlap(const Range& a, const Range& b) { return a.lo <= b.hi && b.lo <= a.hi; }
-
   bool are_one(const Foot& a, const Foot& b) const
   {
     if (a.input != b.input) return false;
@@ -206,7 +195,7 @@ private:
     return std::all_of(feet.begin(), feet.end(), [&](const Foot& f) { return has(ends_[i].vertex.feet, f) || has(ends_[i].possible, f); });
   }
 
-  std::vector<Seam> seams_;
+  std::vector<Parameter_seam> seams_;
   std::vector<Arc_end> ends_;
   std::vector<std::size_t> degree_;
 };

@@ -7,6 +7,19 @@
 #include <locus/number/interval.h>
 
 namespace locus {
+/// Where an input's parameter begins and ends; one place where the input is closed.
+struct Parameter_seam {
+  bool is_closed = false;
+  Range first, last;
+
+  /// Whether two ranges of the parameter hold one place: in common, or at the two sides of the seam.
+  bool may_be_one_place(const Range& a, const Range& b) const
+  {
+    const auto meet = [](const Range& x, const Range& y) { return x.lo <= y.hi && y.lo <= x.hi; };
+    return meet(a, b) || (is_closed && ((meet(a, first) && meet(b, last)) || (meet(a, last) && meet(b, first))));
+  }
+};
+
 /// The values of a parameter that the unit interval stands for, enclosed.
 class Parameter_range {
 public:

@@ -81,12 +81,9 @@ public:
   /// Whether two parameter ranges of a curve hold one place: in common, or at the two sides of a seam.
   bool may_be_one_place(std::size_t input, const Range& a, const Range& b) const
   {
-    if (a.lo <= b.hi && b.lo <= a.hi) return true;
     const Seen_input& curve = inputs_[input];
-    if (!curve.chain.is_closed()) return false;
-    const Range first = ranges_[curve.first].at(Interval(0)), last = ranges_[curve.first + curve.count - 1].at(Interval(1));
-    const auto holds = [](const Range& x, const Range& end) { return x.lo <= end.hi && end.lo <= x.hi; };
-    return (holds(a, first) && holds(b, last)) || (holds(a, last) && holds(b, first));
+    if (!curve.chain.is_closed()) return Parameter_seam().may_be_one_place(a, b);
+    return Parameter_seam{true, ranges_[curve.first].at(Interval(0)), ranges_[curve.first + curve.count - 1].at(Interval(1))}.may_be_one_place(a, b);
   }
 
   /// The piece of the untrimmed bisector: pieces of the curve that are mapped to infinity have none.

@@ -5,7 +5,7 @@
 #include <locus/construct/arc_trimming.h>
 #include <locus/construct/locus_ends.h>
 #include <locus/construct/point_curve_bisector.h>
-#include <locus/construct/shared_arc.h>
+#include <locus/construct/fixed_feet_arc.h>
 #include <locus/construct/two_cells.h>
 #include <locus/construct/untrimmed_bisector_2.h>
 #include <locus/shape/folds.h>
@@ -68,9 +68,9 @@ private:
     return all;
   }
 
-  std::vector<End_joiner::Seam> seams() const
+  std::vector<Parameter_seam> seams() const
   {
-    std::vector<End_joiner::Seam> all;
+    std::vector<Parameter_seam> all;
     for (const Curve_2* c : curves_) {
       const Chain& chain = c->chain();
       all.push_back({chain.is_closed(), Parameter_range(chain.pieces.front()).at(Interval(0)), Parameter_range(chain.pieces.back()).at(Interval(1))});
@@ -272,7 +272,7 @@ private:
       region.arcs.push_back(arcs_.size());
       add_found_arc(found, arc, std::nullopt);
       Open_arc& open = arcs_.back();
-      open.geometry = std::make_shared<Fixed_feet_arc>(arc, std::vector<Range>{first.parameters[0], second.parameters[0]});
+      open.geometry = std::make_shared<Fixed_feet_arc>(arc.geometry(), std::vector<Range>{first.parameters[0], second.parameters[0]});
       open.inputs = {0, 1};
       open.features = {first.feature, second.feature};
       for (const std::size_t v : open.vertex)
@@ -352,7 +352,7 @@ private:
     Open_arc open;
     open.inputs = arc.inputs();
     open.features = arc.features();
-    open.geometry = std::make_shared<Shared_arc>(arc);
+    open.geometry = arc.geometry();
     open.closed = arc.is_closed();
     open.is_shared = !own;
     for (std::size_t e = 0; e < 2 && !open.closed; ++e) {
