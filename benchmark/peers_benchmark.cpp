@@ -21,8 +21,8 @@ using locus_benchmark::Case;
 using locus_benchmark::keep;
 using locus_benchmark::Plain_curve;
 using locus_benchmark::Point;
+using locus_benchmark::print;
 using locus_benchmark::side_by_side;
-using locus_benchmark::Timing;
 
 constexpr int points_an_arc = 200;
 constexpr int segments_a_curve = 1024;
@@ -35,8 +35,6 @@ void solve_and_sample(const Case& c, std::size_t most_arcs)
   const auto result = solve(c);
   for (std::size_t i = 0; i < std::min(most_arcs, result.arcs().size()); ++i) keep(result.arcs()[i].samples(points_an_arc));
 }
-
-void print(const char* what, const Timing& t) { std::printf("  %-52s %9.1f µs (median %.1f)\n", what, 1e6 * t.least, 1e6 * t.median); }
 
 void print_ratio(const char* what, double ratio, const char* aim, bool met)
 {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
 #include <ctime>
 #include <functional>
 #include <vector>
@@ -30,6 +31,8 @@ inline double processor_seconds()
 struct Timing {
   double least = 0, median = 0;
 };
+
+inline void print(const char* what, const Timing& t) { std::printf("  %-52s %9.1f µs (median %.1f)\n", what, 1e6 * t.least, 1e6 * t.median); }
 
 /// Runs the jobs in turns, in each round every job for about `seconds`.
 inline std::vector<Timing> side_by_side(const std::vector<std::function<void()>>& jobs, std::size_t rounds = 9,

@@ -18,14 +18,12 @@ namespace {
 using locus_benchmark::Case;
 using locus_benchmark::keep;
 using locus_benchmark::Plain_curve;
+using locus_benchmark::print;
 using locus_benchmark::side_by_side;
-using locus_benchmark::Timing;
 
 constexpr int segments_a_curve = 1024;
 constexpr double tolerance = 1e-6; ///< relative to the inputs' diameter
 constexpr double wanted_share = 0.1;
-
-void print(const char* what, const Timing& t) { std::printf("  %-58s %9.1f µs (median %.1f)\n", what, 1e6 * t.least, 1e6 * t.median); }
 
 std::size_t draw(const locus::Locus<2>& result)
 {
